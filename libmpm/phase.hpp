@@ -1,0 +1,39 @@
+/// What a phase is made of.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+
+namespace mpm {
+
+enum class Plane { strain, stress };
+
+/// Isotropic elastic material with stochastic strength. Infinite strengths (the default) make it elastic.
+struct Phase {
+  static constexpr double unbreakable = std::numeric_limits<double>::infinity();
+
+  std::string name;                    ///< as in the mask, for messages
+  double young = 0;                    ///< Young's modulus [Pa], > 0
+  double poisson = 0;                  ///< Poisson's ratio [-], in [0, 0.5); plane stress: [0, 0.5]
+  double density = 0;                  ///< [kg/m^3], > 0
+  double tensile_scale = unbreakable;  ///< Weibull scale f_t of the tensile strength [Pa], > 0
+  double cohesion = unbreakable;       ///< Mohr-Coulomb c [Pa], > 0
+  double friction_angle = 0;           ///< Mohr-Coulomb phi [rad], in [0, pi/2)
+  double weibull_modulus = 1.5;        ///< m [-], > 0
+
+  [[nodiscard]] bool can_crack() const { return tensile_scale < unbreakable; }
+  [[nodiscard]] bool can_shear() const { return cohesion < unbreakable; }
+  [[nodiscard]] bool can_fail() const { return can_crack() || can_shear(); }
+};
+
+/// Stiffness [Pa], shape (3, 3), of (e_xx, e_yy, gamma_xy) -> (s_xx, s_yy, s_xy).
+[[nodiscard]] Eigen::Matrix3d stiffness(const Phase& phase, Plane plane);
+
+/// Speed of the fastest (compression) wave in the plane [m/s].
+[[nodiscard]] double wave_speed(const Phase& phase, Plane plane);
+
+/// @throws Error naming the first value that is out of range.
+void validate(const Phase& phase, Plane plane);
+
+}  // namespace mpm

@@ -1,0 +1,34 @@
+/// The loop that drives a run.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "libmpm/result.hpp"
+#include "libmpm/scene.hpp"
+
+namespace mpm {
+
+/// What an observer is told at each history row.
+struct Progress {
+  const HistoryRow& row;
+  double fraction = 0;   ///< of stop_strain that is done [-]
+  double wall_time = 0;  ///< since the loop began [s]
+};
+
+/// Returns false to end the run (StopReason::interrupted).
+using Observer = std::function<bool(const Progress&)>;
+
+/// Physics gone wrong: not a number, or an unstable step. The result up to there is kept.
+struct Diverged : std::runtime_error {
+  Diverged(const std::string& message, Result so_far)
+      : std::runtime_error(message), result(std::move(so_far)) {}
+  Result result;
+};
+
+/// Solve a scene.
+/// @throws Error for a scene that is not valid, Diverged with the step, time and place, and what to try.
+[[nodiscard]] Result simulate(const Scene& scene, const Observer& observer = {});
+
+}  // namespace mpm

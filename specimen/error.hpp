@@ -1,0 +1,28 @@
+/// The one exception that the specimen library throws for a user's mistake.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace specimen {
+
+/// What kind of mistake it was; the program maps it to its exit code.
+enum class Fault {
+  data,   ///< a value, a picture or a file's content is not usable
+  write,  ///< a file could not be read from or written to disk
+};
+
+/// A user's mistake: which field, the value met, what is allowed, and how to cure it.
+/// what() reads "field: value; allowed; cure" with the empty parts left out.
+struct Error : std::runtime_error {
+  Error(std::string field_name, std::string value_met, std::string what_is_allowed,
+        std::string how_to_cure = {}, Fault kind = Fault::data);
+
+  std::string field;    ///< the option or the file that is at fault, e.g. "generate.fraction"
+  std::string value;    ///< the value met, with its unit
+  std::string allowed;  ///< what would have been accepted
+  std::string cure;     ///< what to try
+  Fault fault;
+};
+
+}  // namespace specimen

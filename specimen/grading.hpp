@@ -1,0 +1,29 @@
+/// Which aggregate sizes, and how much of each.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace specimen {
+
+/// One size class; the diameter of an aggregate is that of the circle of the same area.
+struct SizeClass {
+  double d_min = 0;  ///< [m]
+  double d_max = 0;  ///< [m]
+  double share = 0;  ///< of the aggregate area [-]
+};
+
+/// Size classes in falling order of size; the shares add up to 1.
+using Grading = std::vector<SizeClass>;
+
+/// Grading of a named sieve curve between two diameters [m].
+/// Names: fuller; A8 B8 C8 A16 B16 C16 A32 B32 C32 (DIN 1045-2). `walraven` turns a volume curve into the
+/// area shares of a plane cut.
+/// @throws Error for an unknown name (with a suggestion) or an empty range.
+[[nodiscard]] Grading named_grading(std::string_view name, double d_min, double d_max, bool walraven = false);
+
+/// Names that named_grading knows.
+[[nodiscard]] std::vector<std::string> grading_names();
+
+}  // namespace specimen

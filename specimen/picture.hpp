@@ -1,0 +1,42 @@
+/// Pictures on disk: PNG, TIFF, BMP, JPEG, PGM/PPM in; PNG and TIFF out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "specimen/mask.hpp"
+#include "specimen/raster.hpp"
+
+namespace specimen {
+
+/// An RGB pixel, 8 bits a channel.
+struct Rgb {
+  std::uint8_t r = 0, g = 0, b = 0;
+  friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+/// A picture as read: one grey or label channel, or colour.
+struct Picture {
+  Raster<double> gray;    ///< the values as stored (8, 16, 32 bit integer or float); empty for colour
+  Raster<Rgb> colour;     ///< empty for grey
+  int bits = 8;           ///< per channel, as stored
+  double pixel_size = 0;  ///< from the resolution tag [m]; 0 = the file does not say
+  [[nodiscard]] int rows() const { return gray.empty() ? colour.rows : gray.rows; }
+  [[nodiscard]] int cols() const { return gray.empty() ? colour.cols : gray.cols; }
+};
+
+/// Read a picture; the format is taken from its first bytes, not from its name.
+/// The size is read from the header and checked before anything is decoded.
+/// @param max_pixels  refuse larger pictures.   @throws Error naming the file and what is wrong.
+[[nodiscard]] Picture read_picture(const std::string& path, std::int64_t max_pixels = 200'000'000);
+
+/// Write RGB as PNG, with the pixel size [m] as its pHYs tag where > 0.
+/// Written to a temporary name, then renamed.   @throws Error (Fault::write).
+void write_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size = 0);
+
+/// Write 8-bit labels by the ending of the name: .png, .tif, .tiff (with the scale in the resolution tags),
+/// .bmp, .pgm. Reading them back gives the same labels.   @throws Error for another ending or when the disk
+/// fails.
+void write_labels(const std::string& path, const LabelledMask& mask);
+
+}  // namespace specimen

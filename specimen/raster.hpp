@@ -1,0 +1,30 @@
+/// A rectangle of pixels, stored row by row, the top row of the picture first.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace specimen {
+
+/// Dense picture of values, shape (rows, cols), row-major; (0, 0) is the top left pixel.
+template <class T>
+struct Raster {
+  int rows = 0;         ///< number of pixel rows [-]
+  int cols = 0;         ///< number of pixel columns [-]
+  std::vector<T> data;  ///< values, rows * cols of them
+
+  Raster() = default;
+  Raster(int n_rows, int n_cols, T value = T{})
+      : rows(n_rows), cols(n_cols), data(static_cast<std::size_t>(n_rows) * n_cols, value) {}
+
+  [[nodiscard]] std::size_t size() const { return data.size(); }
+  [[nodiscard]] bool empty() const { return data.empty(); }
+  [[nodiscard]] bool contains(int row, int col) const {
+    return row >= 0 && row < rows && col >= 0 && col < cols;
+  }
+  T& operator()(int row, int col) { return data[static_cast<std::size_t>(row) * cols + col]; }
+  const T& operator()(int row, int col) const { return data[static_cast<std::size_t>(row) * cols + col]; }
+  friend bool operator==(const Raster&, const Raster&) = default;
+};
+
+}  // namespace specimen

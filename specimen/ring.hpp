@@ -1,0 +1,35 @@
+/// The interfacial transition zone: a closed polygon round every aggregate, drawn over mortar pixels.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "specimen/inclusion.hpp"
+#include "specimen/mask.hpp"
+
+namespace specimen {
+
+enum class ItzMode {
+  ring,    ///< ITZ pixels
+  points,  ///< extra material points at the vertices, the mask stays as it is (the paper's way)
+  none,
+};
+
+struct ItzOptions {
+  ItzMode mode = ItzMode::ring;
+  double thickness = 0;  ///< [m]; 0 = one pixel
+  int segments = 36;     ///< corners of a ring, >= 3
+  friend bool operator==(const ItzOptions&, const ItzOptions&) = default;
+};
+
+/// Ring of an inclusion: an exact ellipse is cut at equal steps of its parameter (as the paper does), a
+/// contour at equal arc length.
+[[nodiscard]] Ring make_ring(const Inclusion& inclusion, int segments);
+
+/// Draw one ring into the mask: mortar pixels whose centre lies within `thickness` of the polygon, and every
+/// mortar pixel that shares an edge with the inclusion, become ITZ. The ring is therefore closed at any
+/// thickness.
+/// @param instances  ids per pixel, shape of the mask.   @param thickness  [m], > 0.
+void draw_ring(LabelledMask& mask, const Raster<std::int32_t>& instances, const Ring& ring, double thickness);
+
+}  // namespace specimen
