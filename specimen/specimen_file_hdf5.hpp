@@ -27,7 +27,8 @@ inline constexpr int format_version = 1;
 /// Names of the ITZ modes, in the order of ItzMode.
 inline constexpr std::array<const char*, 3> itz_modes = {"ring", "points", "none"};
 
-/// Silences HDF5's own printing while it lives; the caller's setting comes back afterwards.
+/// Silences HDF5's own printing while it lives; the caller's setting comes back afterwards, unless it is told
+/// to stay silent.
 class Quiet {
  public:
   Quiet() {
@@ -37,6 +38,10 @@ class Quiet {
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
   ~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+  /// HDF5 1.10 loses track of memory when a checksum fails, and complains of it on the terminal when the
+  /// program ends, if printing is on then.
+  void stay() { print_ = nullptr; }
 
  private:
   H5E_auto2_t print_ = nullptr;
@@ -57,7 +62,9 @@ inline std::string reason() {
 /// @throws Error about `object` with HDF5's reason when a call failed.
 template <class Result>
 Result require(Result result, const std::string& object) {
-  if (result < 0) throw Error(object, reason(), "must be an object that HDF5 can handle");
+  if (result < 0)
+    throw Error(object, reason(), {},
+                "the file is damaged or cut short: take a copy of it, or make the specimen again");
   return result;
 }
 

@@ -46,9 +46,12 @@ std::vector<std::vector<Point>> read_polygons(hid_t file, const std::string& gro
     throw Error(name, "out of order", "must rise from 0 to the number of points");
   const auto values = hdf5::read_values<double>(dataset, memory_type<double>());
   std::vector<std::vector<Point>> polygons(count);
-  for (std::size_t k = 0; k < count; ++k)
-    for (auto i = static_cast<std::size_t>(offsets[k]); i < static_cast<std::size_t>(offsets[k + 1]); ++i)
-      polygons[k].push_back({values[2 * i], values[2 * i + 1]});
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto begin = static_cast<std::size_t>(offsets[k]);
+    const auto end = static_cast<std::size_t>(offsets[k + 1]);
+    polygons[k].reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) polygons[k].push_back({values[2 * i], values[2 * i + 1]});
+  }
   return polygons;
 }
 
@@ -139,11 +142,12 @@ Specimen read_checked(const std::string& path) {
 }  // namespace
 
 Specimen read_specimen(const std::string& path) {
-  const hdf5::Quiet quiet;
+  hdf5::Quiet quiet;
   check_signature(path);
   try {
     return read_checked(path);
   } catch (const Error& error) {
+    quiet.stay();
     throw Error(path + ": " + error.field, error.value, error.allowed, error.cure, error.fault);
   }
 }

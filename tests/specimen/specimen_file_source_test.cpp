@@ -5,36 +5,14 @@
 #include <hdf5.h>
 
 #include <array>
-#include <functional>
 
-#include "specimen/error.hpp"
-#include "specimen/specimen_file.hpp"
-#include "tests/specimen/sample_specimen.hpp"
-#include "tests/specimen/temporary_folder.hpp"
+#include "tests/specimen/changed_file.hpp"
 
 namespace {
 
-using Extent = std::vector<hsize_t>;
-
-class SpecimenFileSource : public testing::Test {
- protected:
-  const test::TemporaryFolder folder;
-  const std::string path = folder / "s.h5";
-
-  /// What the reader says after a change of the file, without the path.
-  std::string verdict(const std::function<void(hid_t)>& change) const {
-    write_specimen(path, test::sample_specimen());
-    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-    change(file);
-    H5Fclose(file);
-    try {
-      std::ignore = specimen::read_specimen(path);
-    } catch (const specimen::Error& error) {
-      return std::string(error.what()).substr(path.size() + 2);
-    }
-    return "was read";
-  }
-};
+using SpecimenFileSource = test::ChangedFile;
+using test::Extent;
+using test::replace;
 
 /// Creation options of a dataset.
 struct Options {
@@ -45,21 +23,12 @@ struct Options {
   ~Options() { H5Pclose(id); }
 };
 
-void replace(hid_t file, const char* name, hid_t type, const Extent& extent, hid_t options = H5P_DEFAULT) {
-  H5Ldelete(file, name, H5P_DEFAULT);
-  const hid_t space = H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr);
-  const hid_t dataset = H5Dcreate2(file, name, type, space, H5P_DEFAULT, options, H5P_DEFAULT);
-  ASSERT_GE(dataset, 0) << name;
-  H5Dclose(dataset);
-  H5Sclose(space);
-}
-
 TEST_F(SpecimenFileSource, RefusesAbsurdExtentsBeforeItAsksForMemory) {
   const auto labels = [this](const Extent& extent) {
     const Options options;
     const Extent chunk(extent.size(), 16);
     H5Pset_chunk(options.id, static_cast<int>(chunk.size()), chunk.data());
-    return verdict([&](hid_t f) { replace(f, "/labels", H5T_STD_U8LE, extent, options.id); });
+    return verdict([&](hid_t f) { replace(f, "/labels", H5T_STD_U8LE, extent, nullptr, options.id); });
   };
   EXPECT_EQ(labels({1'000'000, 1'000'000}), "/labels: 1000000 x 1000000 values; must be at most 200000000");
   constexpr hsize_t huge = hsize_t{1} << 32U;  // huge * huge is 0 in 64 bits
@@ -86,7 +55,7 @@ TEST_F(SpecimenFileSource, RefusesHugeTextsAndHugeChunks) {
               H5Pset_chunk(options.id, 1, &one);
               H5Pset_alloc_time(options.id, H5D_ALLOC_TIME_EARLY);
               H5Pset_deflate(options.id, 1);
-              replace(f, "/phases", text, {17}, options.id);
+              replace(f, "/phases", text, {17}, nullptr, options.id);
             }),
             "/phases: 17 texts of 1048576 bytes; must be at most 16777216 bytes together");
   H5Tclose(text);
@@ -94,7 +63,7 @@ TEST_F(SpecimenFileSource, RefusesHugeTextsAndHugeChunks) {
               const Options options;
               const Extent chunk = {10'000, 10'000};
               H5Pset_chunk(options.id, 2, chunk.data());
-              replace(f, "/labels", H5T_STD_U8LE, {10'000, 10'000}, options.id);
+              replace(f, "/labels", H5T_STD_U8LE, {10'000, 10'000}, nullptr, options.id);
             }),
             "/labels: chunks of 10000 x 10000; must be at most 64 MiB");
 }
@@ -165,7 +134,7 @@ TEST_F(SpecimenFileSource, ReadsNoOtherFile) {
   EXPECT_EQ(verdict([this](hid_t f) {
               const Options options;
               H5Pset_external(options.id, (folder / "secret").c_str(), 0, 48);
-              replace(f, "/labels", H5T_STD_U8LE, {6, 8}, options.id);
+              replace(f, "/labels", H5T_STD_U8LE, {6, 8}, nullptr, options.id);
             }),
             elsewhere);
   write_specimen(folder / "other.h5", test::sample_specimen());
@@ -174,7 +143,7 @@ TEST_F(SpecimenFileSource, ReadsNoOtherFile) {
               const Extent extent = {6, 8};
               const hid_t space = H5Screate_simple(2, extent.data(), nullptr);
               H5Pset_virtual(options.id, space, (folder / "other.h5").c_str(), "/labels", space);
-              replace(f, "/labels", H5T_STD_U8LE, extent, options.id);
+              replace(f, "/labels", H5T_STD_U8LE, extent, nullptr, options.id);
               H5Sclose(space);
             }),
             elsewhere);
@@ -186,7 +155,7 @@ TEST_F(SpecimenFileSource, LoadsNoFilterFromAPlugIn) {
               const Extent chunk = {6, 8};
               H5Pset_chunk(options.id, 2, chunk.data());
               H5Pset_filter(options.id, 32001, H5Z_FLAG_OPTIONAL, 0, nullptr);
-              replace(f, "/labels", H5T_STD_U8LE, {6, 8}, options.id);
+              replace(f, "/labels", H5T_STD_U8LE, {6, 8}, nullptr, options.id);
             }),
             "/labels: filter 32001; must be gzip, shuffle or fletcher32");
 }
@@ -201,7 +170,7 @@ TEST_F(SpecimenFileSource, TakesNoZerosForWhatWasNeverWritten) {
               const Options options;
               const Extent chunk = {3, 3};
               H5Pset_chunk(options.id, 2, chunk.data());
-              replace(f, "/labels", H5T_STD_U8LE, {6, 8}, options.id);
+              replace(f, "/labels", H5T_STD_U8LE, {6, 8}, nullptr, options.id);
               const hid_t labels = H5Dopen2(f, "/labels", H5P_DEFAULT);
               const Extent origin = {0, 0};
               const std::array<unsigned char, 9> ones{};

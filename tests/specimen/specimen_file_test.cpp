@@ -75,6 +75,22 @@ TEST(SpecimenFile, GivesTheSameBytesForTheSameSpecimen) {
   EXPECT_NE(specimen::sha256_of_file(folder / "first.h5"), first);
 }
 
+TEST(SpecimenFile, KeepsNoTimeOfDay) {
+  const test::TemporaryFolder folder;
+  write_specimen(folder / "s.h5", test::sample_specimen());
+  const hid_t file = H5Fopen((folder / "s.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const auto visit = [](hid_t, const char* name, const H5O_info_t* info, void* visited) -> herr_t {
+    EXPECT_EQ(info->ctime, 0) << name;
+    EXPECT_EQ(info->mtime, 0) << name;
+    ++*static_cast<int*>(visited);
+    return 0;
+  };
+  int visited = 0;
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, &visited, H5O_INFO_TIME);
+  EXPECT_EQ(visited, 13) << "of 4 groups and 9 datasets";
+  H5Fclose(file);
+}
+
 TEST(SpecimenFile, CompressesAndChecksTheLabels) {
   const test::TemporaryFolder folder;
   write_specimen(folder / "s.h5", test::sample_specimen());
