@@ -38,6 +38,6 @@ struct RunRecord {
 /// @throws specimen::Error (Fault::write) or mpm::FileError when the disk fails, naming the file.
 void write_run(const std::filesystem::path& folder, const RunRecord& record);
 
-/// Key figures of a run in SI units, as summary.json holds them; figures that do not exist (a time step of a
-/// run without steps, not-a-number) are null.
+/// Key figures of a run in SI units, as summary.json holds them; figures that are not finite are null in
+/// its text.
 [[nodiscard]] nlohmann::json summary(const RunRecord& record);

@@ -54,6 +54,8 @@ void expect_same(double read, double written) {
     EXPECT_EQ(read, written);
 }
 
+void expect_same(std::int64_t read, std::int64_t written) { EXPECT_EQ(read, written); }
+
 template <class T>
 void expect_same(const mpm::Lattice<T>& read, const mpm::Lattice<T>& written) {
   ASSERT_EQ(read.rows(), written.rows());
@@ -66,13 +68,7 @@ void expect_same(const std::vector<mpm::HistoryRow>& read, const std::vector<mpm
   ASSERT_EQ(read.size(), written.size());
   for (std::size_t i = 0; i < written.size(); ++i)
     for (const mpm::HistoryColumn& column : mpm::history_columns())
-      std::visit(
-          [&](auto member) {
-            if (!(std::isnan(static_cast<double>(written[i].*member)) &&
-                  std::isnan(static_cast<double>(read[i].*member))))
-              EXPECT_EQ(read[i].*member, written[i].*member) << column.name << " of row " << i;
-          },
-          column.member);
+      std::visit([&](auto member) { expect_same(read[i].*member, written[i].*member); }, column.member);
 }
 
 void expect_same(const mpm::Result& read, const mpm::Result& written) {
