@@ -12,7 +12,7 @@ namespace {
 
 constexpr double text_size = 13;
 constexpr double line_height = 20;
-constexpr double sample_length = 22;  ///< of the line beside a name in the legend
+constexpr double sample_length = 18;  ///< of the line beside a name in the legend
 constexpr double edge = 2;            ///< kept free all round
 
 /// Mean width of a character of a sans-serif face over its size; a little generous, so that nothing is cut.
@@ -73,7 +73,7 @@ std::vector<LegendEntry> legend_of(const std::vector<Series>& series, double wid
     const double entry_width = sample_length + 6 + text_width(line.name);
     if (at.x > edge && at.x + entry_width > width) at = {edge, at.y + line_height};
     entries.push_back({&line, at});
-    at.x += entry_width + 18;
+    at.x += entry_width + 14;
   }
   return entries;
 }
@@ -168,7 +168,7 @@ Drawing lay_out(const Chart& chart, double width, double height) {
   frame.top = (legend.empty() ? line_height : legend.back().at.y) + 0.6 * line_height;
   frame.bottom = height - 5 - 1.1 * text_size - 1.35 * line_height;
   const Ticks y_ticks = ticks_between(frame.y.low, frame.y.high,
-                                      std::clamp(static_cast<int>((frame.bottom - frame.top) / 45), 2, 8));
+                                      std::clamp(static_cast<int>((frame.bottom - frame.top) / 38), 2, 8));
   frame.left = edge + widest(y_ticks) + 8;
   const Ticks x_ticks =
       ticks_between(frame.x.low, frame.x.high, std::clamp(static_cast<int>(width / 75), 2, 12));

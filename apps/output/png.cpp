@@ -49,24 +49,32 @@ struct Draw {
     cairo_set_line_width(pen, stroke.width);
     cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(pen, dashes, stroke.dashed ? 2 : 0, 0);
+    cairo_new_path(pen);  // words leave their end as the current point
     for (const Place& place : stroke.places) cairo_line_to(pen, place.x, place.y);
     cairo_stroke(pen);
   }
 
   void operator()(const Dot& dot) const {
     dip(pen, dot.ink);
+    cairo_new_path(pen);
     cairo_arc(pen, dot.centre.x, dot.centre.y, dot.radius, 0, 2 * M_PI);
     cairo_fill(pen);
   }
 
   void operator()(const Words& words) const {
-    dip(pen, words.ink);
     cairo_set_font_size(pen, words.size);
     cairo_text_extents_t extents;
     cairo_text_extents(pen, words.text.c_str(), &extents);
     const double share = words.anchor == Anchor::start ? 0 : words.anchor == Anchor::middle ? 0.5 : 1;
     cairo_move_to(pen, words.at.x - share * extents.x_advance, words.at.y);
-    cairo_show_text(pen, words.text.c_str());
+    cairo_text_path(pen, words.text.c_str());
+    cairo_set_source_rgb(pen, 1, 1, 1);  // a rim of paper parts the words from the lines below
+    cairo_set_line_width(pen, 3);
+    cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_dash(pen, nullptr, 0, 0);
+    cairo_stroke_preserve(pen);
+    dip(pen, words.ink);
+    cairo_fill(pen);
   }
 };
 

@@ -28,7 +28,7 @@ std::string legend(const specimen::LabelledMask& mask, const Look& look) {
   std::string html = fmt::format("<p class=\"legend {}\">\n", look.css_class);
   html += swatch(look.palette.tension, "failed in tension") + swatch(look.palette.shear, "failed in shear");
   for (std::size_t label = 0; label < mask.phases.size(); ++label)
-    if (holds(mask, label)) html += swatch(look.palette.phases[label], phase_title(mask.phases[label]));
+    if (holds(mask, label)) html += swatch(look.palette.phases[label], phase_word(mask.phases[label]));
   return html + "</p>\n";
 }
 
@@ -39,7 +39,7 @@ std::string figure(const RunRecord& record, const DamageStage& stage, const std:
     html += image(damage_picture(record.specimen.mask, record.result, stage.strain, look.palette),
                   "Damage at " + share, look.css_class);
   return html + fmt::format(
-                    "<figcaption><b>{}</b><br/>{} microstrain; failed: {} in tension, {} in shear"
+                    "<figcaption><b>{}</b><br/>{} microstrain<br/>{} failed in tension, {} in shear"
                     "</figcaption>\n</figure>\n",
                     escape(share), rounded(1e6 * stage.strain), grouped(stage.tension), grouped(stage.shear));
 }
@@ -72,7 +72,7 @@ std::string damage_section(const RunRecord& record) {
   for (const Look& look : looks) html += legend(record.specimen.mask, look);
   html += "<div class=\"pictures\">\n";
   for (const DamageStage& stage : stages.drawn) html += figure(record, stage, looks);
-  return section("Damage", html + "</div>\n" + remarks(record, stages));
+  return section("Damage", html + "</div>\n<div class=\"remarks\">\n" + remarks(record, stages) + "</div>\n");
 }
 
 }  // namespace output

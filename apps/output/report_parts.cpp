@@ -24,16 +24,17 @@ std::string section(const std::string& heading, const std::string& html) {
 
 std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n", escape(text)); }
 
-std::string side_by_side(const std::string& left_html, const std::string& right_html) {
-  return fmt::format("<div class=\"pair\">\n<div>\n{}</div>\n<div>\n{}</div>\n</div>\n", left_html,
-                     right_html);
+std::string side_by_side(const std::string& css_class, const std::string& left_html,
+                         const std::string& right_html) {
+  return fmt::format("<div class=\"pair {}\">\n<div>\n{}</div>\n<div>\n{}</div>\n</div>\n", css_class,
+                     left_html, right_html);
 }
 
 std::string facts_table(const std::vector<Fact>& facts) {
   std::string html = "<table class=\"facts\">\n<tbody>\n";
   for (const Fact& fact : facts)
     html += fact.unit.empty()
-                ? fmt::format("<tr><th scope=\"row\">{}</th><td class=\"words\" colspan=\"2\">{}</td></tr>\n",
+                ? fmt::format("<tr class=\"words\"><th scope=\"row\">{}</th><td colspan=\"2\">{}</td></tr>\n",
                               escape(fact.name), escape(fact.value))
                 : fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"unit\">{}</td></tr>\n",
                               escape(fact.name), escape(fact.value), escape(fact.unit));

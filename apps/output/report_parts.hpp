@@ -20,7 +20,10 @@ struct Fact {
 [[nodiscard]] std::string paragraph(const std::string& text);
 
 /// Two columns on wide screens, one on narrow ones.
-[[nodiscard]] std::string side_by_side(const std::string& left_html, const std::string& right_html);
+/// @param css_class  "even", "lead" (the left one is wider) or "fit" (the left one is as wide as its
+/// content).
+[[nodiscard]] std::string side_by_side(const std::string& css_class, const std::string& left_html,
+                                       const std::string& right_html);
 
 /// Names, values and units in three columns.
 [[nodiscard]] std::string facts_table(const std::vector<Fact>& facts);

@@ -12,8 +12,9 @@ namespace output {
 [[nodiscard]] std::string damage_section(const RunRecord& record);  ///< pictures at shares of the peak strain
 [[nodiscard]] std::string specimen_section(const RunRecord& record);  ///< preview and statistics
 [[nodiscard]] std::string ledger_section(const RunRecord& record);    ///< energies, failures, their table
-[[nodiscard]] std::string solution_section(const RunRecord& record);  ///< how it was computed
-[[nodiscard]] std::string source_section(const RunRecord& record);    ///< provenance, scene, how to cite
+[[nodiscard]] std::string solution_section(const RunRecord& record);  ///< how it was computed, from what
+[[nodiscard]] std::string scene_section(const RunRecord& record);
+[[nodiscard]] std::string citation_section(const RunRecord& record);
 
 /// The user's title, or one made from the setting.
 [[nodiscard]] std::string title_of(const RunRecord& record);

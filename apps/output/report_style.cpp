@@ -16,7 +16,7 @@ constexpr const char* page_rules = R"css(
 html { -webkit-text-size-adjust: 100%; }
 body { margin: 0; background: var(--paper); color: var(--text);
   font: 16px/1.55 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "DejaVu Sans", sans-serif; }
-main { max-width: 1152px; margin: 0 auto; padding: 40px 20px 56px; }
+main { max-width: 1040px; margin: 0 auto; padding: 40px 20px 56px; }
 h1 { margin: 0 0 6px; font-size: 28px; line-height: 1.25; font-weight: 600; overflow-wrap: anywhere; }
 h2 { margin: 0 0 16px; font-size: 19px; line-height: 1.3; font-weight: 600; }
 h3 { margin: 0 0 6px; font-size: 16px; font-weight: 600; }
@@ -30,9 +30,11 @@ figure { margin: 0; }
 figcaption { color: var(--muted); font-size: 14px; line-height: 1.45; margin-top: 6px; max-width: 44em; }
 .pair { display: grid; gap: 28px 40px; }
 .pair > div { min-width: 0; }
-@media (min-width: 900px) { .pair { grid-template-columns: 1fr 1fr; } .pair.lead { grid-template-columns: 8fr 5fr; } }
+@media (min-width: 900px) { .pair { grid-template-columns: 1fr 1fr; } .pair.lead { grid-template-columns: 8fr 5fr; } .pair.fit { grid-template-columns: max-content minmax(0, 30em); } }
 svg { display: block; width: 100%; height: auto; font-family: inherit; font-variant-numeric: tabular-nums; }
+text { paint-order: stroke; stroke: var(--paper); stroke-width: 3px; stroke-linejoin: round; }
 polyline { fill: none; stroke-linejoin: round; }
+.wide { max-width: 640px; }
 .narrow { display: none; max-width: 440px; }
 @media screen and (max-width: 599px) { .wide { display: none; } .narrow { display: block; } }
 table { border-collapse: collapse; width: 100%; font-size: 15px; font-variant-numeric: tabular-nums; }
@@ -43,11 +45,16 @@ thead th { color: var(--muted); font-size: 14px; }
 .numbers td, .numbers thead th + th { padding-left: 18px; white-space: nowrap; }
 .facts td { white-space: nowrap; font-weight: 600; }
 .facts td.unit { text-align: left; padding-left: 8px; font-weight: 400; color: var(--muted); width: 1%; }
-.facts td.words { white-space: normal; overflow-wrap: anywhere; font-weight: 400; }
+.facts .words th { white-space: nowrap; }
+.facts .words td { white-space: normal; text-align: left; overflow-wrap: anywhere; font-weight: 400; }
 .scroll { overflow-x: auto; }
+.pair + .scroll { margin-top: 28px; }
+.legend.below { margin: 10px 0 0; }
 img { display: block; max-width: 100%; height: auto; border: 1px solid var(--rule); background: #fff; }
 img.pixels { image-rendering: pixelated; }
-.pictures { display: grid; gap: 26px 22px; grid-template-columns: repeat(auto-fill, minmax(min(100%, 300px), 1fr)); }
+.pictures { display: grid; gap: 28px 36px; grid-template-columns: repeat(auto-fill, minmax(min(100%, 300px), 1fr)); }
+.remarks { margin-top: 24px; color: var(--muted); font-size: 14px; }
+.remarks p { margin: 0 0 4px; max-width: none; }
 .pictures b { color: var(--text); font-weight: 600; }
 .legend { display: flex; flex-wrap: wrap; gap: 4px 20px; margin: 0 0 16px; font-size: 14px; }
 .swatch { white-space: nowrap; }
@@ -64,7 +71,6 @@ details { margin: 0 0 12px; }
 summary { cursor: pointer; padding: 4px 0; }
 pre { margin: 6px 0 0; padding: 14px 16px; overflow-x: auto; background: var(--panel); border-radius: 6px;
   font: 13px/1.5 ui-monospace, "SF Mono", Consolas, "DejaVu Sans Mono", monospace; }
-.hash { font: 13px/1.5 ui-monospace, "SF Mono", Consolas, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
 blockquote { margin: 0 0 12px; padding: 2px 0 2px 16px; border-left: 3px solid var(--rule); max-width: 44em;
   overflow-wrap: anywhere; }
 @media (max-width: 599px) {

@@ -50,9 +50,9 @@ Chart energy_chart(const RunRecord& record) {
     chart.series.push_back(against_strain(
         record, name, ink, [member](const HistoryRow& row) { return row.*member; }, dashed));
   };
-  add("work of the platens", Ink::text, &HistoryRow::platen_work, true);
+  add("work put in", Ink::text, &HistoryRow::platen_work, true);
   add("elastic", Ink::first, &HistoryRow::elastic);
-  add("released by failures", Ink::second, &HistoryRow::released);
+  add("released", Ink::second, &HistoryRow::released);
   add("kinetic", Ink::third, &HistoryRow::kinetic);
   if (record.scene.local_damping > 0) add("damped", Ink::fourth, &HistoryRow::damped);
   return chart;

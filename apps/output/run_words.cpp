@@ -45,6 +45,6 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-std::string phase_title(const std::string& phase) { return phase == "itz" ? "ITZ" : capitalised(phase); }
+std::string phase_word(const std::string& phase) { return phase == "itz" ? "ITZ" : phase; }
 
 }  // namespace output

@@ -15,7 +15,7 @@ namespace output {
 [[nodiscard]] std::string word_of(mpm::StopReason reason);    ///< "drop"
 [[nodiscard]] std::string phrase_of(mpm::StopReason reason);  ///< "the stress had dropped"
 
-[[nodiscard]] std::string capitalised(std::string text);          ///< "tension" -> "Tension"
-[[nodiscard]] std::string phase_title(const std::string& phase);  ///< "mortar" -> "Mortar", "itz" -> "ITZ"
+[[nodiscard]] std::string capitalised(std::string text);         ///< "tension" -> "Tension"
+[[nodiscard]] std::string phase_word(const std::string& phase);  ///< "itz" -> "ITZ", others as they are
 
 }  // namespace output

@@ -67,6 +67,17 @@ std::string rounded(double value, int digits) {
   return (value < 0 ? std::string(minus) : "") + rounded_positive(std::abs(value), digits);
 }
 
+std::string trimmed(double value, int digits) {
+  std::string text = rounded(value, digits);
+  const std::size_t end = text.find(no_break_space);  // a power of ten may follow
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos) return text;
+  const std::size_t stop = std::min(end, text.size());
+  std::size_t keep = text.find_last_not_of('0', stop - 1) + 1;
+  if (keep == point + 1) keep = point;
+  return text.substr(0, keep) + text.substr(stop);
+}
+
 std::string with_decimals(double value, int decimals) {
   if (!std::isfinite(value)) return std::string(dash);
   std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);

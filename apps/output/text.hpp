@@ -13,6 +13,9 @@ namespace output {
 /// ("1.25 × 10⁻⁷"), a proper minus sign; an en dash for what is no number.
 [[nodiscard]] std::string rounded(double value, int digits = 3);
 
+/// As rounded(), less the zeros behind the point that say nothing: for what somebody chose ("0.05").
+[[nodiscard]] std::string trimmed(double value, int digits = 6);
+
 /// A fixed number of decimals, else as rounded().
 [[nodiscard]] std::string with_decimals(double value, int decimals);
 
