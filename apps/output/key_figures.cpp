@@ -1,10 +1,10 @@
 #include "apps/output/key_figures.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 
 #include "apps/output/damage_stages.hpp"
+#include "specimen/statistics.hpp"
 
 namespace output {
 
@@ -17,13 +17,10 @@ double secant_modulus(const mpm::Result& result) {
 }
 
 std::vector<std::pair<std::string, double>> phase_shares(const specimen::LabelledMask& mask) {
-  std::vector<std::int64_t> counts(mask.phases.size());
-  for (const std::uint8_t label : mask.labels.data) ++counts.at(label);
+  const std::vector<double> fractions = specimen::fractions(mask);
   std::vector<std::pair<std::string, double>> shares;
-  for (std::size_t label = 0; label < counts.size(); ++label)
-    if (counts[label] > 0)
-      shares.emplace_back(mask.phases[label],
-                          static_cast<double>(counts[label]) / static_cast<double>(mask.labels.size()));
+  for (std::size_t label = 0; label < fractions.size(); ++label)
+    if (fractions[label] > 0) shares.emplace_back(mask.phases[label], fractions[label]);
   return shares;
 }
 
