@@ -25,12 +25,15 @@ struct Crop {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// In the cleaning options -1 means automatic: nothing is cleaned on maps of labels or instances, and
+/// photographs are cleaned in proportion to the size of the picture. What automatic chose is told in the
+/// notes of the report.
 struct ConvertOptions {
   Segmentation method = Segmentation::automatic;
   std::string channel =
       "gray";  ///< threshold, otsu, multi_otsu: gray red green blue hue saturation value l a b
   std::vector<double> thresholds;  ///< rising, in the picture's own levels; threshold only
-  int classes = 3;                 ///< multi_otsu, kmeans
+  int classes = 0;  ///< multi_otsu, kmeans: 2 to 16; 0 = automatic (3, or as many as there are flat colours)
   /// Phases of the classes, from the darkest to the brightest (kmeans: by lightness L); empty = guessed and
   /// told.
   std::vector<std::string> class_phases;
@@ -42,11 +45,12 @@ struct ConvertOptions {
   Crop crop;
   int pixels = 0;  ///< columns of the mask; 0 = as the picture
 
-  int median = 0;           ///< edge of the median filter on the picture [px], odd; 0 = none
-  int open = 0;             ///< radius of the opening of aggregates [px of the source]; 0 = none
-  int close = 0;            ///< radius of the closing of aggregates [px of the source]; 0 = none
-  double drop_islands = 0;  ///< islands of any phase below this area join their surroundings [m^2]; 0 = none
-  bool fill_holes = false;  ///< of aggregates
+  int median = -1;  ///< edge of the median filter on the picture [px], odd; 0 = none, -1 = automatic
+  int open = -1;    ///< radius of the opening of aggregates [px of the source]; 0 = none, -1 = automatic
+  int close = -1;   ///< radius of the closing of aggregates [px of the source]; 0 = none, -1 = automatic
+  /// Islands of any phase below this area join their surroundings [m^2]; 0 = none, -1 = automatic.
+  double drop_islands = -1;
+  bool fill_holes = false;      ///< of aggregates
   bool split_touching = false;  ///< watershed on the distance map
   double split_depth = 0.2;  ///< how deep a neck must be to be cut, as share of the grain's inner radius [-]
 };
