@@ -23,5 +23,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mesopixConfig.cmake.in
   ${PROJECT_BINARY_DIR}/mesopixConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/mesopixConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mesopixConfig.cmake ${PROJECT_BINARY_DIR}/mesopixConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/FindOpenCVParts.cmake DESTINATION ${package_dir})
+  ${CMAKE_CURRENT_LIST_DIR}/FindHDF5C.cmake ${CMAKE_CURRENT_LIST_DIR}/FindOpenCVParts.cmake DESTINATION ${package_dir})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
