@@ -72,10 +72,17 @@ struct CellSums {
   Real xx[K], yy[K], xy_row[K], xy_col[K];
 };
 
+/// Lateral stress ratio of a point; a dead one has no stiffness and no stress to share out.
+template <class Real>
+MPM_INLINE Real lateral_ratio(Real lame, Real shear) {
+  const Real axial = lame + 2 * shear;
+  return lame / (axial > 0 ? axial : Real(1));
+}
+
 /// Stress of point p, already times its stiffness and volume share, added to the sums; returns suspicion.
 template <class Real, int K, int P, bool one_poisson, Check check, bool closure>
 MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real>& edges, int i,
-                         CellSums<Real, K>& sums) {
+                                CellSums<Real, K>& sums) {
   constexpr int a = P % K;
   constexpr int b = P / K;
   const std::ptrdiff_t at = P * row.stride + i;
@@ -91,7 +98,9 @@ MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real
     s = elastic_stress<Real>(row.stiffness[at], row.shear[at], exx, eyy, gxy);
   }
   if constexpr (closure) {
-    const Stress<Real> c = without_tension(s);
+    const Real lateral = row.unilateral * (one_poisson ? row.unit_lateral / row.unit_axial
+                                                       : lateral_ratio(row.stiffness[at], row.shear[at]));
+    const Stress<Real> c = without_tension(s, lateral);
     const bool cracked = row.cracked[at] > 0;
     s = {cracked ? c.xx : s.xx, cracked ? c.yy : s.yy, cracked ? c.xy : s.xy};
   }

@@ -48,9 +48,10 @@ struct CellRow {
   const float* tension;   ///< tensile threshold, scaled as the stress of this kernel
   const float* crush;     ///< least -s3 at which shear failure is possible, scaled as the stress
   const float* cracked;   ///< 1 where a point failed in tension and carries compression only, else 0
+  Real unilateral;        ///< 1: CrackClosure::unilateral, 0: clipped
   Real unit_axial, unit_lateral, unit_shear;  ///< stiffness of a phase with E = 1 [-]
   NodeForces<Real> lower, upper;              ///< out
-  Flag<Real>* suspects;                     ///< out: not 0 for a cell in which a point may fail
+  Flag<Real>* suspects;                       ///< out: not 0 for a cell in which a point may fail
 };
 
 /// What the sweep over a row of nodes reads and writes.

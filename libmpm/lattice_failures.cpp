@@ -14,6 +14,27 @@ CellDisplacement LatticeSolver<Real>::displacement(int row, int cell) const {
           {grid_.uy[lower], grid_.uy[lower + 1], grid_.uy[upper], grid_.uy[upper + 1]}};
 }
 
+/// Displacements at the end of the step before.
+template <class Real>
+CellDisplacement LatticeSolver<Real>::displacement_before(int row, int cell) const {
+  CellDisplacement u = displacement(row, cell);
+  for (int node = 0; node < 4; ++node) {
+    const auto at = static_cast<std::size_t>(grid_.at(row + node / 2, cell + node % 2));
+    u.ux[node] -= plan_.dt * grid_.vx[at];
+    u.uy[node] -= plan_.dt * grid_.vy[at];
+  }
+  return u;
+}
+
+/// Elastic stress of a phase at a place of a cell, now and a step before [Pa].
+template <class Real>
+typename LatticeSolver<Real>::StepStress LatticeSolver<Real>::stress_at(const Eigen::Matrix3d& c, int row,
+                                                                        int cell, double xi,
+                                                                        double eta) const {
+  return {stress_in_cell(c, displacement(row, cell), xi, eta, plan_.cell_size),
+          stress_in_cell(c, displacement_before(row, cell), xi, eta, plan_.cell_size)};
+}
+
 template <class Real>
 bool LatticeSolver<Real>::fail_suspects(Band& band, int row, double strain) {
   bool any = false;
@@ -33,19 +54,18 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
   const auto pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
   const int pixel_col = cell * k + plane % k;
   const Phase& phase = *scene_.phases[scene_.labels(pixel_row, pixel_col)];
-  const Stress<double> elastic =
-      stress_in_cell(stiffness(phase, scene_.plane), displacement(row, cell), (plane % k + 0.5) / k,
-                     (plane / k + 0.5) / k, plan_.cell_size);
+  const StepStress elastic =
+      stress_at(stiffness(phase, scene_.plane), row, cell, (plane % k + 0.5) / k, (plane / k + 0.5) / k);
   const bool cracked = plan_.features.crack_closure && points_.cracked[at] > 0;
   const double factor =
       strength_factor(pixel_random(scene_.damage.seed, pixel_row, pixel_col), phase.weibull_modulus);
-  const FailureMode mode = judge({&phase, factor, cracked}, elastic, scene_.plane);
+  const PointState state{&phase, factor, cracked ? scene_.damage.crack_closure : CrackClosure::off};
+  const FailureMode mode = judge(state, elastic.now, scene_.plane);
   if (mode == FailureMode::none) return false;
 
   const double share = shares_.size() > 0 ? 1.0 / shares_(pixel_row, pixel_col) : 1.0;
   count(band, mode);
-  row_released_[static_cast<std::size_t>(row)] +=
-      share * released_energy({&phase, factor, cracked}, elastic, mode);
+  row_released_[static_cast<std::size_t>(row)] += share * released_energy(state, elastic, mode);
   points_.tension[at] = kernels::unreachable;
   if (plan_.features.crack_closure && mode == FailureMode::tension) {
     points_.cracked[at] = 1;
@@ -71,18 +91,21 @@ void LatticeSolver<Real>::count(Band& band, FailureMode mode) {
   ++(mode == FailureMode::tension ? band.tension_failures : band.shear_failures);
 }
 
-/// Energy that a whole pixel loses when it fails [J/m].
+/// Energy that a whole pixel loses when it fails [J/m]. With the strain of the step before on one side of the
+/// product, 1/2 u_(n-1) . dK . u_n, the ledger of the symplectic step closes to rounding.
 template <class Real>
-double LatticeSolver<Real>::released_energy(const PointState& point, const Stress<double>& elastic,
+double LatticeSolver<Real>::released_energy(const PointState& point, const StepStress& elastic,
                                             FailureMode mode) const {
-  const auto energy = [&](const Stress<double>& stress) {
-    return energy_density(*point.phase, scene_.plane, stress, elastic);
+  const auto power = [&](const Stress<double>& stress) {
+    return stress_power(*point.phase, scene_.plane, stress, elastic.before);
   };
-  const double before = energy(point.cracked ? without_tension(elastic) : elastic);
+  PointState after = point;
   const bool closes = plan_.features.crack_closure && mode == FailureMode::tension;
-  const double after =
-      closes ? energy(without_tension(elastic)) : scene_.damage.residual_stiffness * energy(elastic);
-  return (before - after) * scene_.pixel_size * scene_.pixel_size;
+  after.crack = closes ? scene_.damage.crack_closure : CrackClosure::off;
+  const double kept = closes ? 1.0 : scene_.damage.residual_stiffness;
+  const double lost = power(carried_stress(point, elastic.now, scene_.plane)) -
+                      kept * power(carried_stress(after, elastic.now, scene_.plane));
+  return 0.5 * lost * scene_.pixel_size * scene_.pixel_size;
 }
 
 template <class Real>
@@ -92,10 +115,10 @@ void LatticeSolver<Real>::sweep_extra_points(Band& band, int row, const kernels:
   const auto end = extra_.row_begin[static_cast<std::size_t>(row) + 1];
   for (std::size_t i = begin; i < end; ++i) {
     CellPoint& point = extra_.points[i];
-    Stress<double> stress =
+    const Stress<double> elastic =
         stress_in_cell(point.stiffness, displacement(row, point.cell), point.xi, point.eta, plan_.cell_size);
-    if (point.kept == 1) fail_extra_point(band, row, point, stress, strain);
-    if (point.state.cracked) stress = without_tension(stress);
+    if (point.kept == 1) fail_extra_point(band, row, point, elastic, strain);
+    const Stress<double> stress = carried_stress(point.state, elastic, scene_.plane);
     const CellForces f =
         forces_in_cell(stress, point.xi, point.eta, point.share * point.kept * plan_.cell_size);
     const int cell = point.cell;
@@ -116,15 +139,17 @@ void LatticeSolver<Real>::fail_extra_point(Band& band, int row, CellPoint& point
   const FailureMode mode = judge(point.state, elastic, scene_.plane);
   if (mode == FailureMode::none) return;
   count(band, mode);
-  row_released_[static_cast<std::size_t>(row)] += point.share * released_energy(point.state, elastic, mode);
-  if (!point.state.cracked) {
+  row_released_[static_cast<std::size_t>(row)] +=
+      point.share *
+      released_energy(point.state, stress_at(point.stiffness, row, point.cell, point.xi, point.eta), mode);
+  if (point.state.crack == CrackClosure::off) {
     extra_.failure_strain[point.index] = static_cast<float>(strain);
     extra_.failure_mode[point.index] = static_cast<std::uint8_t>(mode);
   }
   if (plan_.features.crack_closure && mode == FailureMode::tension) {
-    point.state.cracked = true;
+    point.state.crack = scene_.damage.crack_closure;
   } else {
-    point.state.cracked = false;
+    point.state.crack = CrackClosure::off;
     point.kept = scene_.damage.residual_stiffness;
   }
 }

@@ -187,6 +187,7 @@ void LatticeSolver<Real>::sweep_cell_row(Band& band, int row, ForceBuffer& lower
       .tension = points_.tension.data() + at,
       .crush = points_.crush.data() + at,
       .cracked = points_.cracked.empty() ? nullptr : points_.cracked.data() + at,
+      .unilateral = static_cast<Real>(scene_.damage.crack_closure == CrackClosure::unilateral ? 1 : 0),
       .unit_axial = static_cast<Real>(unit_stiffness_(0, 0)),
       .unit_lateral = static_cast<Real>(unit_stiffness_(0, 1)),
       .unit_shear = static_cast<Real>(unit_stiffness_(2, 2)),

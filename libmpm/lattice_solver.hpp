@@ -78,6 +78,11 @@ class LatticeSolver {
     std::int64_t diverged_at = -1;  ///< first step in which the force was no number; -1 = none
   };
 
+  /// Stress now and at the end of the step before [Pa].
+  struct StepStress {
+    Stress<double> now, before;
+  };
+
   void make_bands();
   void make_maps();
   void find_pinned_node();
@@ -92,10 +97,13 @@ class LatticeSolver {
   [[nodiscard]] Ledger balance() const;
 
   [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
+  [[nodiscard]] CellDisplacement displacement_before(int row, int cell) const;
+  [[nodiscard]] StepStress stress_at(const Eigen::Matrix3d& c, int row, int cell, double xi,
+                                     double eta) const;
   bool fail_suspects(Band& band, int row, double strain);
   bool fail_point(Band& band, int row, int plane, int cell, double strain);
   static void count(Band& band, FailureMode mode);
-  [[nodiscard]] double released_energy(const PointState& point, const Stress<double>& elastic,
+  [[nodiscard]] double released_energy(const PointState& point, const StepStress& elastic,
                                        FailureMode mode) const;
   void sweep_extra_points(Band& band, int row, const kernels::NodeForces<Real>& lower,
                           const kernels::NodeForces<Real>& upper, double strain);

@@ -38,7 +38,8 @@ kernels::Features features_needed(const Scene& scene, const std::vector<const Ph
       });
   features.check = check_needed(phases);
   // A crack that never opens needs no closing.
-  features.crack_closure = scene.damage.crack_closure && features.check != kernels::Check::none;
+  features.crack_closure =
+      scene.damage.crack_closure != CrackClosure::off && features.check != kernels::Check::none;
   features.damping = scene.local_damping > 0;
   return features;
 }
