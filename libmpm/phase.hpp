@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace mpm {
 
@@ -32,6 +33,10 @@ struct Phase {
 
 /// Speed of the fastest (compression) wave in the plane [m/s].
 [[nodiscard]] double wave_speed(const Phase& phase, Plane plane);
+
+/// Aggregate, mortar and ITZ of concrete, in this order.
+/// Source: Liu et al. (2020), Table 1; the density is ours, the paper gives none.
+[[nodiscard]] std::vector<Phase> concrete_phases();
 
 /// @throws Error naming the first value that is out of range.
 void validate(const Phase& phase, Plane plane);
