@@ -85,6 +85,18 @@ class Formatter : public CLI::Formatter {
     return flag || option->get_type_name().empty() ? "" : " " + option->get_type_name();
   }
 
+  std::string make_option_usage(const CLI::Option* option) const override {
+    const std::string name = option->get_name(true, false);
+    return option->get_expected_min() == 0 ? "[" + name + "]" : name;
+  }
+
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    std::string text = CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
+    while (text.size() > 1 && text.compare(text.size() - 2, 2, "\n\n") == 0) text.pop_back();
+    return text;
+  }
+
   std::string make_subcommand(const CLI::App* command) const override {
     std::string first = command->get_description();
     first = first.substr(0, first.find('\n'));
@@ -192,6 +204,10 @@ void refuse_remaining(const CLI::App& command) {
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  if (among(known, "--PHASE.young"))
+    for (const mpm::Phase& phase : Settings().phases)
+      for (const PhaseField& property : phase_fields())
+        known.push_back("--" + phase.name + "." + with_dashes(property.key));
   std::vector<Complaint> complaints;
   const std::vector<std::string> remaining = command.remaining();
   // Behind an unknown option stands its value, which would be a confusing second complaint.

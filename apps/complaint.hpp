@@ -40,7 +40,8 @@ struct Complaint {
 [[nodiscard]] std::string text(const Complaint& complaint);
 
 /// A complaint about the command line, or about something that has no place in a file.
-[[nodiscard]] Complaint complaint(std::string field, std::string value, std::string allowed, std::string cure = {});
+[[nodiscard]] Complaint complaint(std::string field, std::string value, std::string allowed,
+                                  std::string cure = {});
 
 /// The command was refused: every complaint there is, and the exit code.
 struct Rejected : std::runtime_error {

@@ -58,7 +58,7 @@ ConvertCommand::ConvertCommand(CLI::App& program)
       settings_(options(), {{"convert", "itz"}, {}, {}}) {
   options()
       .add_option("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one")
-      ->option_text(" ");
+      ->type_name("");
   options()
       .add_option("-o,--output", output_, "specimen file (.h5) or label picture [PICTURE with .h5]")
       ->type_name("FILE");

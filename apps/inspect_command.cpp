@@ -137,9 +137,7 @@ std::string figures_text(const Json& figures) {
 
 InspectCommand::InspectCommand(CLI::App& program)
     : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture", footer) {
-  options()
-      .add_option("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture")
-      ->option_text(" ");
+  options().add_option("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture")->type_name("");
   options().add_flag("--json", json_, "as JSON");
 }
 

@@ -32,6 +32,7 @@ class Program {
     root_.formatter(help_formatter());
     root_.set_version_flag("--version", std::string("mesopix ") + version());
     root_.footer(footer_text);
+    root_.allow_extras();
   }
 
   Exit run(const std::vector<std::string>& arguments, Console& console) {
@@ -40,7 +41,7 @@ class Program {
       return Exit::usage;
     }
     Command* command = find(arguments.front());
-    if (command == nullptr && arguments.front().front() != '-') refuse_command(arguments.front());
+    if (command == nullptr && arguments.front().rfind('-', 0) != 0) refuse_command(arguments.front());
     std::vector<std::string> parsed(arguments.begin() + 1, arguments.end());
     if (command != nullptr) parsed = command->prepare(parsed);
     parsed.insert(parsed.begin(), arguments.front());
@@ -49,9 +50,14 @@ class Program {
       root_.parse(parsed);
     } catch (const CLI::Success& asked) {  // --help, --version
       return static_cast<Exit>(root_.exit(asked, console.out, console.err));
+    } catch (const CLI::ArgumentMismatch& mismatch) {
+      const std::string what = mismatch.what();
+      throw Rejected(Exit::usage, complaint(what.substr(0, what.find(':')), "needs a value",
+                                            "mesopix " + arguments.front() + " --help tells which"));
     }
     if (command == nullptr)
-      throw Rejected(Exit::usage, complaint(arguments.front(), "no command", "", "mesopix --help"));
+      throw Rejected(Exit::usage, complaint(arguments.front(), "is no command", "must be " + listed(names()),
+                                            "mesopix --help tells what they do"));
     refuse_remaining(command->options());
     return command->run(console);
   }
@@ -65,11 +71,15 @@ class Program {
     return nullptr;
   }
 
+  std::vector<std::string> names() {
+    std::vector<std::string> all;
+    for (Command* command : commands()) all.push_back(command->options().get_name());
+    return all;
+  }
+
   void refuse_command(const std::string& name) {
-    std::vector<std::string> names;
-    for (Command* command : commands()) names.push_back(command->options().get_name());
-    throw Rejected(Exit::usage,
-                   complaint(name, "unknown command", "must be " + listed(names), did_you_mean(name, names)));
+    throw Rejected(Exit::usage, complaint(name, "unknown command", "must be " + listed(names()),
+                                          did_you_mean(name, names())));
   }
 
   CLI::App root_{"mesopix: from a picture of concrete to a broken specimen", "mesopix"};

@@ -25,11 +25,11 @@ Value relative_to(const fs::path& folder, const Value& value) {
               .generic_string()};
 }
 
-std::string line(const std::string& key, const Value& value, const std::string& help,
-                 const std::string& type) {
-  const std::string setting = fmt::format("{} = {}", key, toml_text(value));
-  const std::string choices = type.find('|') == std::string::npos ? "" : " (" + type + ")";
-  return fmt::format("{:<36} # {}{}\n", setting, help, choices);
+template <class T>
+std::string line(const FieldOf<T>& field, const Value& value) {
+  const std::string setting = fmt::format("{} = {}", leaf_of(field.key), toml_text(value));
+  const std::string choices = field.kind == Kind::choice ? " (" + field.type + ")" : "";
+  return fmt::format("{:<32} # {}{}\n", setting, field.help, choices);
 }
 
 std::string group_lines(const std::string& group, const Settings& settings, const fs::path& folder) {
@@ -39,15 +39,14 @@ std::string group_lines(const std::string& group, const Settings& settings, cons
     Value value = field.get(settings);
     if (is_empty_text(value)) continue;
     if (field.kind == Kind::path) value = relative_to(folder, value);
-    lines += line(leaf_of(field.key), value, field.help, field.type);
+    lines += line(field, value);
   }
   return lines;
 }
 
 std::string phase_lines(const mpm::Phase& phase) {
   std::string lines;
-  for (const PhaseField& property : phase_fields())
-    lines += line(property.key, property.get(phase), property.help, property.type);
+  for (const PhaseField& property : phase_fields()) lines += line(property, property.get(phase));
   return lines;
 }
 

@@ -38,6 +38,16 @@ std::vector<std::string> every_key(const Settings& settings) {
   return keys;
 }
 
+/// What drawn ellipses need, random or not.
+bool is_of_canvas(std::string_view key) {
+  return key == "generate.width" || key == "generate.height" || key == "generate.pixel_size";
+}
+
+bool is_of_curve(std::string_view key) {
+  return key == "generate.grading" || key == "generate.d_min" || key == "generate.d_max" ||
+         key == "generate.walraven";
+}
+
 /// Why the settings of a whole group have no effect on a specimen from this source.
 std::string why_group_unused(const std::string& group, Source source) {
   const bool loaded = source == Source::file;
@@ -92,20 +102,12 @@ std::string suggest_key(std::string_view key, const Settings& settings) {
 }
 
 std::string why_unused(std::string_view key, const Settings& settings) {
+  const SpecimenChoice& choice = settings.specimen;
+  const bool has_file = !choice.file.empty() || !choice.picture.empty() || !choice.ellipses.empty();
+  if (key == "specimen.sha256" && !has_file) return "is that of a file, and none is given";
+  if (is_of_curve(key) && !settings.grading.classes.empty()) return "has no effect beside generate.classes";
   const Source source = source_of(settings);
-  if (key == "specimen.width" || key == "specimen.height" || key == "specimen.pixel_size") {
-    if (source == Source::picture)
-      return "has no effect on a picture: its scale is set by convert." +
-             std::string(key == "specimen.pixel_size" ? "pixel_size" : "width");
-    if (source == Source::file) return "has no effect on a specimen that is read from a file";
-  }
-  if (key == "specimen.sha256" && settings.specimen.file.empty() && settings.specimen.picture.empty() &&
-      settings.specimen.ellipses.empty())
-    return "is of a file, and none is given";
-  const bool of_curve = key == "generate.grading" || key == "generate.d_min" || key == "generate.d_max" ||
-                        key == "generate.walraven";
-  if (of_curve && source == Source::generated && !settings.grading.classes.empty())
-    return "has no effect beside generate.classes";
+  if (source == Source::ellipses && is_of_canvas(key)) return {};
   return why_group_unused(group_of(key), source);
 }
 

@@ -41,16 +41,16 @@ std::vector<Field> specimen_fields() {
             MEMBER(specimen.ellipses)),
       field("specimen.sha256", Text{}, "expected SHA-256 of that file; another one is refused",
             MEMBER(specimen.sha256)),
-      field("specimen.width", length(above(0)), "of the specimen", MEMBER(packing.width)),
-      field("specimen.height", length(above(0)), "of the specimen", MEMBER(packing.height)),
-      field("specimen.pixel_size", length(above(0)), "edge of a pixel, which is one material point",
-            MEMBER(specimen.pixel_size)),
   };
 }
 
 std::vector<Field> generate_fields() {
   return {
-      field("generate.fraction", ratio(inside(0, 1)), "area of the aggregates over that of the specimen",
+      field("generate.width", length(above(0)), "of the specimen", MEMBER(packing.width)),
+      field("generate.height", length(above(0)), "of the specimen", MEMBER(packing.height)),
+      field("generate.pixel_size", length(above(0)), "edge of a pixel, which is one material point",
+            MEMBER(pixel_size)),
+      field("generate.fraction", ratio(below(0, 1)), "area of the aggregates over that of the specimen",
             MEMBER(packing.fraction)),
       field("generate.grading", Name{specimen::grading_names()}, "sieve curve of the aggregates",
             MEMBER(grading.name)),

@@ -26,7 +26,6 @@ struct SpecimenChoice {
   std::string ellipses;                         ///< path of a CSV list
   std::vector<specimen::Ellipse> ellipse_list;  ///< as written in the scene itself
   std::string sha256;                           ///< expected of that file; empty = any
-  double pixel_size = 0.5e-3;                   ///< of drawn ellipses [m]
 };
 
 /// Sizes of random aggregates: a named curve between two diameters, or explicit classes.
@@ -40,6 +39,7 @@ struct GradingChoice {
 
 struct Settings {
   SpecimenChoice specimen;
+  double pixel_size = 0.5e-3;        ///< of drawn ellipses [m]
   specimen::PackingOptions packing;  ///< its grading is not used: see packing_options()
   GradingChoice grading;
   specimen::ConvertOptions convert;

@@ -14,7 +14,7 @@
 #include "apps/scene_text.hpp"
 #include "apps/specimen_source.hpp"
 #include "libmpm/simulate.hpp"
-#include "specimen/specimen_file.hpp"
+#include "specimen/digest.hpp"
 
 namespace app {
 namespace {
@@ -91,7 +91,7 @@ SimulateCommand::SimulateCommand(CLI::App& program)
       settings_(options(), {{"phases", "loading", "damage", "solver", "output"},
                             {"specimen", "generate", "convert", "itz"},
                             {}}) {
-  options().add_option("INPUT", input_, "specimen.h5, scene.toml or picture")->option_text(" ");
+  options().add_option("INPUT", input_, "specimen.h5, scene.toml or picture")->type_name("");
   options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");

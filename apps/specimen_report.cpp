@@ -62,9 +62,7 @@ Json aggregates_json(const specimen::Specimen& specimen, const specimen::Grading
 
 std::string millimetres(const Json& metres) { return fmt::format("{:.4g} mm", 1e3 * metres.get<double>()); }
 
-std::string percent(const Json& share) {
-  return share.is_null() ? "-" : fmt::format("{:.1f} %", 100 * share.get<double>());
-}
+std::string percent(const Json& share) { return fmt::format("{:.1f} %", 100 * share.get<double>()); }
 
 std::string phases_text(const Json& phases) {
   std::string text;
@@ -76,10 +74,12 @@ std::string phases_text(const Json& phases) {
 }
 
 std::string sieve_text(const Json& rows) {
-  std::string text = rows.empty() ? "" : "  sieve        passing   target\n";
+  if (rows.empty()) return {};
+  const bool has_target = !rows.front()["target"].is_null();
+  std::string text = has_target ? "  sieve        passing   target\n" : "  sieve        passing\n";
   for (const Json& row : rows)
-    text += fmt::format("  {:<12} {:>7} {:>8}\n", millimetres(row["diameter_m"]), percent(row["passing"]),
-                        percent(row["target"]));
+    text += fmt::format("  {:<12} {:>7}{}\n", millimetres(row["diameter_m"]), percent(row["passing"]),
+                        has_target ? fmt::format(" {:>8}", percent(row["target"])) : "");
   return text;
 }
 

@@ -1,15 +1,13 @@
 #include "apps/specimen_source.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "apps/complaint.hpp"
 #include "apps/ellipse_list.hpp"
-#include "apps/quantity.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/version.hpp"
 #include "specimen/convert.hpp"
+#include "specimen/digest.hpp"
 #include "specimen/packing.hpp"
 #include "specimen/specimen_file.hpp"
 
@@ -18,18 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double largest_picture = 200e6;  ///< [pixels], as pictures are limited
-
-void check_number_of_pixels(const Settings& settings) {
-  const double pixel = settings.specimen.pixel_size;
-  const double pixels = settings.packing.width / pixel * (settings.packing.height / pixel);
-  if (pixels > largest_picture)
-    throw Rejected(Exit::data, complaint("specimen.pixel_size", format_quantity(pixel, Dimension::length),
-                                         fmt::format("gives {:.3g} pixels, at most {:.3g} are possible",
-                                                     pixels, largest_picture),
-                                         "use larger pixels"));
-}
-
 specimen::Provenance provenance(const Settings& settings, std::string source, const fs::path& folder) {
   return {std::move(source), settings.specimen.sha256, scene_text(settings, Extent::specimen, folder), 0,
           version()};
@@ -37,13 +23,12 @@ specimen::Provenance provenance(const Settings& settings, std::string source, co
 
 Prepared draw(const Settings& settings, const std::vector<specimen::Ellipse>& ellipses,
               specimen::Provenance provenance) {
-  auto segmented = specimen::draw_ellipses(ellipses, settings.packing.width, settings.packing.height,
-                                           settings.specimen.pixel_size);
+  auto segmented =
+      specimen::draw_ellipses(ellipses, settings.packing.width, settings.packing.height, settings.pixel_size);
   return {specimen::make_specimen(std::move(segmented), settings.itz, std::move(provenance)), {}};
 }
 
 Prepared generate(const Settings& settings) {
-  check_number_of_pixels(settings);
   const specimen::Packing packing = specimen::pack(packing_options(settings));
   specimen::Provenance origin = provenance(settings, "generated", fs::path());
   origin.seed = settings.packing.seed;
@@ -89,7 +74,6 @@ Prepared prepare_specimen(const Settings& settings) {
     case Source::generated:
       return generate(settings);
     case Source::ellipses:
-      check_number_of_pixels(settings);
       return draw(settings, settings.specimen.ellipse_list, provenance(settings, "ellipse list", fs::path()));
     case Source::picture:
       return convert(settings);

@@ -1,5 +1,7 @@
 #include "apps/value.hpp"
 
+#include <fmt/format.h>
+
 #include "apps/complaint.hpp"
 #include "apps/quantity.hpp"
 
@@ -17,7 +19,7 @@ struct Writer {
       if (!text.empty()) text += ", ";
       text += toml_text(item);
     }
-    return "[" + text + "]";
+    return fmt::format("[{}]", text);
   }
 };
 
