@@ -66,10 +66,15 @@ std::vector<Complaint> check_use(const Origins& origins, const Settings& setting
 }
 
 Complaint locate(const Origins& origins, Complaint complaint) {
-  const auto found = origins.find(complaint.field);
-  if (found == origins.end()) return complaint;
-  complaint.place = found->second.place;
-  complaint.field = found->second.field;
+  if (const auto found = origins.find(complaint.field); found != origins.end()) {
+    complaint.place = found->second.place;
+    complaint.field = found->second.field;
+    return complaint;
+  }
+  // About a table, such as phases.mortar: where its first setting stands.
+  const std::string table = complaint.field + ".";
+  const auto first = origins.lower_bound(table);
+  if (first != origins.end() && first->first.rfind(table, 0) == 0) complaint.place = first->second.place;
   return complaint;
 }
 

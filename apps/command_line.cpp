@@ -85,9 +85,9 @@ class Formatter : public CLI::Formatter {
     return flag || option->get_type_name().empty() ? "" : " " + option->get_type_name();
   }
 
+  /// An argument that may be left out has brackets in its name.
   std::string make_option_usage(const CLI::Option* option) const override {
-    const std::string name = option->get_name(true, false);
-    return option->get_expected_min() == 0 ? "[" + name + "]" : name;
+    return option->get_name(true, false);
   }
 
   std::string make_group(std::string group, bool is_positional,

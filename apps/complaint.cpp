@@ -25,14 +25,19 @@ std::string text(const Place& place) {
 
 std::string text(const Complaint& complaint) {
   std::string line;
-  const auto append = [&line](const std::string& part, const char* separator) {
-    if (!part.empty()) line += (line.empty() ? "" : separator) + printable(part);
+  const char* separator = ": ";
+  const auto append = [&](const std::string& part) {
+    if (part.empty()) return;
+    if (!line.empty()) line += separator;
+    line += printable(part);
   };
-  append(text(complaint.place), "");
-  append(complaint.field, ": ");
-  append(complaint.value, ": ");
-  append(complaint.allowed, "; ");
-  append(complaint.cure, "; ");
+  append(text(complaint.place));
+  append(complaint.field);
+  const std::size_t subject = line.size();
+  for (const std::string* part : {&complaint.value, &complaint.allowed, &complaint.cure}) {
+    if (line.size() > subject) separator = "; ";
+    append(*part);
+  }
   return line;
 }
 

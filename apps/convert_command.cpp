@@ -31,23 +31,22 @@ void require_picture(const std::string& input, const Resolved& resolved) {
                                        "use mesopix generate for ellipses"));
 }
 
-/// Share of the pixels on which the specimen and a label picture agree, phase by phase; the ITZ is no part of
-/// it, for the reference has none that was drawn.
-nlohmann::ordered_json compare(const specimen::ConvertOptions& options, const std::string& picture,
+/// Intersection over union with a label picture, phase by phase: how well the segmentation does, before
+/// rings.
+nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specimen::ConvertOptions& options,
                                const std::string& reference) {
   specimen::ConvertOptions labels;
   labels.method = specimen::Segmentation::labels;
   labels.label_phases = options.label_phases;
-  labels.source_pixel_size = options.source_pixel_size;
-  labels.width = options.width;
+  labels.width = mask.width();
   labels.crop = options.crop;
   labels.pixels = options.pixels;
-  const auto mask = specimen::convert_picture(picture, options).segmented.mask;
   const auto wanted = specimen::convert_picture(reference, labels).segmented.mask;
   const auto shares = specimen::intersection_over_union(mask, wanted);
   nlohmann::ordered_json result = nlohmann::ordered_json::object();
-  for (std::size_t label = 0; label < shares.size() && label < mask.phases.size(); ++label)
-    if (!std::isnan(shares[label])) result[mask.phases[label]] = shares[label];
+  for (std::size_t label = 0; label < shares.size(); ++label)
+    if (!std::isnan(shares[label]))
+      result[label < mask.phases.size() ? mask.phases[label] : wanted.phases[label]] = shares[label];
   return result;
 }
 
@@ -89,7 +88,8 @@ Exit ConvertCommand::run(Console& console) {
   const Prepared prepared = prepare_specimen(resolved.settings);
   auto figures = specimen_json(prepared.specimen, {});
   if (!reference_.empty())
-    figures["intersection_over_union"] = compare(resolved.settings.convert, picture, reference_);
+    figures["intersection_over_union"] =
+        compare(prepared.segmentation, resolved.settings.convert, reference_);
   report_specimen(console, json_, prepared, figures, write_specimen_output(output, prepared.specimen));
   if (!reference_.empty() && !json_)
     for (const auto& [phase, share] : figures["intersection_over_union"].items())

@@ -103,7 +103,7 @@ class Reader {
   void read_row(const std::string& line) {
     const std::vector<Cell> cells = cells_of(line);
     if (cells.size() != columns_.size()) {
-      complain(1, fmt::format("{} cells", cells.size()), "",
+      complain(1, "row", fmt::format("{} cells", cells.size()),
                fmt::format("the header has {}", columns_.size()));
       return;
     }

@@ -33,7 +33,7 @@ GenerateCommand::GenerateCommand(CLI::App& program)
       settings_(
           options(),
           {{"specimen", "generate", "itz"}, {}, {"specimen.file", "specimen.picture", "specimen.sha256"}}) {
-  options().add_option("SCENE", scene_, "scene.toml whose specimen to draw")->type_name("")->expected(0, 1);
+  options().add_option("[SCENE]", scene_, "scene.toml whose specimen to draw")->type_name("");
   options()
       .add_option("-o,--output", output_,
                   "specimen file (.h5) or label picture (.png, .tif, .bmp, .pgm) [specimen.h5]")

@@ -124,7 +124,7 @@ Exit run_program(const std::vector<std::string>& arguments, Console& console) {
   } catch (const mpm::Error& error) {
     return refuse(console, Exit::data, {complaint_of(error)});
   } catch (const std::filesystem::filesystem_error& error) {
-    return refuse(console, Exit::io, {complaint(error.path1().string(), error.code().message(), "")});
+    return refuse(console, Exit::io, {complaint("", error.what(), "")});
   } catch (const std::bad_alloc&) {
     return refuse(console, Exit::data, {complaint("memory", "not enough", "", "use fewer, larger pixels")});
   } catch (const std::exception& error) {

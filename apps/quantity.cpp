@@ -296,6 +296,10 @@ std::string format_quantity(double value, Dimension dimension) {
   return best;
 }
 
-std::string format_number(double value) { return text_of(shortest(value)); }
+std::string format_number(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return text_of(shortest(value));
+}
 
 }  // namespace app

@@ -79,6 +79,22 @@ mpm::Lattice<std::uint8_t> lattice_of(const specimen::Raster<std::uint8_t>& labe
   return Eigen::Map<const mpm::Lattice<std::uint8_t>>(labels.data.data(), labels.rows, labels.cols);
 }
 
+bool all_void(const mpm::Scene& scene, Eigen::Index first_row) {
+  for (const std::uint8_t label : scene.labels.middleRows(first_row, scene.points_per_cell).reshaped())
+    if (scene.phases[label]) return false;
+  return true;
+}
+
+/// A platen holds the nodes along an edge; where the cells there are empty it would move nothing.
+void check_edges(const mpm::Scene& scene) {
+  const bool top = all_void(scene, 0);
+  if (!top && !all_void(scene, scene.labels.rows() - scene.points_per_cell)) return;
+  throw Rejected(Exit::data,
+                 complaint("specimen", top ? "void along its top edge" : "void along its bottom edge",
+                           "must touch both platens",
+                           "crop the picture with convert.crop to where the material begins"));
+}
+
 /// The paper's ITZ: a material point at each corner of each ring; corners outside the specimen are left out.
 std::vector<mpm::ExtraPoint> itz_points(const specimen::Specimen& specimen) {
   std::vector<mpm::ExtraPoint> points;
@@ -108,8 +124,8 @@ std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_
   for (int row = 0; row < cropped.rows; ++row)
     for (int col = 0; col < cropped.cols; ++col) cropped(row, col) = old(row + top, col);
   const std::string note = fmt::format(
-      "The specimen was cropped from {} x {} to {} x {} pixels, at its top and right edges, to whole "
-      "cells of {} x {} pixels.",
+      "the specimen was cropped from {} x {} to {} x {} pixels, at its top and right edges, to whole "
+      "cells of {} x {} pixels",
       old.cols, old.rows, cropped.cols, cropped.rows, points_per_cell, points_per_cell);
   specimen.mask.labels = std::move(cropped);
   return {note};
@@ -121,6 +137,7 @@ mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& setti
   scene.pixel_size = specimen.mask.pixel_size;
   scene.phases = phases_of(specimen, settings);
   scene.extra_points = itz_points(specimen);
+  check_edges(scene);
   return scene;
 }
 

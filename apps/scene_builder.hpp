@@ -15,7 +15,8 @@ namespace app {
 [[nodiscard]] std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_per_cell);
 
 /// The scene of a specimen whose sides are whole numbers of cells.
-/// @throws Rejected for a phase of the specimen without material, or a material without such a phase.
+/// @throws Rejected for a phase of the specimen without material, a material without such a phase, and an
+/// edge at a platen that is void throughout.
 [[nodiscard]] mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& settings);
 
 }  // namespace app

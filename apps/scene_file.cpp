@@ -195,6 +195,8 @@ Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_
     for (const Assignment& one : *given) resolved.origins.insert_or_assign(one.key, one);
   if (!scene.ellipse_list.empty())
     resolved.origins["ellipses"] = {"ellipses", {}, scene.ellipses_place, "ellipses", ""};
+  else if (const std::string& list = resolved.settings.specimen.ellipses; !list.empty())
+    resolved.origins["ellipses"] = {"ellipses", {}, {list, 0, 0}, "ellipses", ""};
   if (complaints.empty()) complaints = check_use(resolved.origins, resolved.settings);
   if (complaints.empty()) return resolved;
   const bool of_file = bad_file || !complaints.front().place.file.empty();

@@ -19,10 +19,8 @@ bool is_empty_text(const Value& value) {
 
 Value relative_to(const fs::path& folder, const Value& value) {
   const fs::path path = std::get<std::string>(value.data);
-  return {fs::absolute(path)
-              .lexically_normal()
-              .lexically_proximate(fs::absolute(folder).lexically_normal())
-              .generic_string()};
+  const fs::path base = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
+  return {fs::absolute(path).lexically_normal().lexically_proximate(base).generic_string()};
 }
 
 template <class T>

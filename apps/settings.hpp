@@ -55,6 +55,6 @@ struct Settings {
 [[nodiscard]] specimen::PackingOptions packing_options(const Settings& settings);
 
 /// The phase of that name; an unknown one is added, with no stiffness and no mass yet.
-[[nodiscard]] mpm::Phase& phase_named(Settings& settings, std::string_view name);
+mpm::Phase& phase_named(Settings& settings, std::string_view name);
 
 }  // namespace app

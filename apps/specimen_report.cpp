@@ -91,6 +91,12 @@ std::string aggregates_text(const Json& aggregates) {
          sieve_text(aggregates["sieve"]);
 }
 
+std::string source_text(const Json& source) {
+  const auto from = source["from"].get<std::string>();
+  if (from != "generated") return "from " + from;
+  return fmt::format("generated with seed {}", source["seed"].get<std::uint64_t>());
+}
+
 }  // namespace
 
 Json specimen_json(const specimen::Specimen& specimen, const specimen::Grading& target) {
@@ -115,10 +121,10 @@ Json specimen_json(const specimen::Specimen& specimen, const specimen::Grading& 
 }
 
 std::string specimen_text(const Json& figures) {
-  return fmt::format("specimen {} x {}, {} x {} pixels of {}, from {}\n", millimetres(figures["width_m"]),
+  return fmt::format("specimen {} x {}, {} x {} pixels of {}, {}\n", millimetres(figures["width_m"]),
                      millimetres(figures["height_m"]), figures["columns"].get<int>(),
                      figures["rows"].get<int>(), millimetres(figures["pixel_size_m"]),
-                     figures["source"]["from"].get<std::string>()) +
+                     source_text(figures["source"])) +
          phases_text(figures["phases"]) + aggregates_text(figures["aggregates"]);
 }
 

@@ -25,7 +25,7 @@ Prepared draw(const Settings& settings, const std::vector<specimen::Ellipse>& el
               specimen::Provenance provenance) {
   auto segmented =
       specimen::draw_ellipses(ellipses, settings.packing.width, settings.packing.height, settings.pixel_size);
-  return {specimen::make_specimen(std::move(segmented), settings.itz, std::move(provenance)), {}};
+  return {specimen::make_specimen(std::move(segmented), settings.itz, std::move(provenance)), {}, {}};
 }
 
 Prepared generate(const Settings& settings) {
@@ -39,12 +39,26 @@ Prepared generate(const Settings& settings) {
   return prepared;
 }
 
+/// A label picture that has its ITZ needs no second one round it.
+specimen::ItzOptions itz_for(const specimen::LabelledMask& mask, specimen::ItzOptions options,
+                             std::vector<std::string>& notes) {
+  const bool has_itz = specimen::count_labels(mask)[specimen::phase::itz] > 0;
+  if (!has_itz || options.mode != specimen::ItzMode::ring) return options;
+  notes.emplace_back("the picture has its ITZ already, so no rings were drawn");
+  options.mode = specimen::ItzMode::none;
+  return options;
+}
+
 Prepared convert(const Settings& settings) {
   const fs::path picture = settings.specimen.picture;
   specimen::Converted converted = specimen::convert_picture(picture.string(), settings.convert);
+  Prepared prepared;
+  prepared.notes = std::move(converted.report.notes);
+  prepared.segmentation = converted.segmented.mask;
+  const auto itz = itz_for(prepared.segmentation, settings.itz, prepared.notes);
   auto origin = provenance(settings, picture.filename().string(), picture.parent_path());
-  return {specimen::make_specimen(std::move(converted.segmented), settings.itz, std::move(origin)),
-          std::move(converted.report.notes)};
+  prepared.specimen = specimen::make_specimen(std::move(converted.segmented), itz, std::move(origin));
+  return prepared;
 }
 
 void pin(const std::string& file, std::string& expected) {
@@ -78,7 +92,7 @@ Prepared prepare_specimen(const Settings& settings) {
     case Source::picture:
       return convert(settings);
     case Source::file:
-      return {specimen::read_specimen(settings.specimen.file), {}};
+      return {specimen::read_specimen(settings.specimen.file), {}, {}};
   }
   return {};
 }

@@ -16,7 +16,8 @@ void settle_source(Settings& settings);
 
 struct Prepared {
   specimen::Specimen specimen;
-  std::vector<std::string> notes;  ///< what was guessed, one sentence each
+  std::vector<std::string> notes;       ///< what was guessed, one sentence each
+  specimen::LabelledMask segmentation;  ///< of a picture, before rings were drawn; else empty
 };
 
 /// Generate, draw, convert or read the specimen of settled settings.   @throws specimen::Error, Rejected.

@@ -5,14 +5,17 @@
 namespace {
 
 TEST(Complaint, NamesPlaceFieldValueAllowedAndCure) {
-  const app::Complaint one{{"scene.toml", 3, 12}, "loading.velocity", "0.05", "needs a unit", "write it"};
+  app::Complaint one = app::complaint("loading.velocity", "0.05", "needs a unit", "write it");
+  one.place = {"scene.toml", 3, 12};
   EXPECT_EQ(text(one), "scene.toml:3:12: loading.velocity: 0.05; needs a unit; write it");
 }
 
 TEST(Complaint, LeavesEmptyPartsOut) {
   EXPECT_EQ(text(app::complaint("INPUT", "missing", "", "mesopix simulate INPUT")),
             "INPUT: missing; mesopix simulate INPUT");
-  EXPECT_EQ(text(app::Complaint{{"scene.toml", 0, 0}, "", "empty", "", ""}), "scene.toml: empty");
+  app::Complaint of_file = app::complaint("", "empty", "");
+  of_file.place.file = "scene.toml";
+  EXPECT_EQ(text(of_file), "scene.toml: empty");
 }
 
 TEST(Complaint, StaysOnOneLineWhateverTheUserWrote) {

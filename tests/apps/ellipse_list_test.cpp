@@ -56,7 +56,7 @@ TEST(EllipseList, NamesWhatIsWrongWithTheHeader) {
 TEST(EllipseList, NamesEveryBadRow) {
   EXPECT_EQ(
       complaint_about("x_mm,y_mm,a_mm,b_mm\n1,2,4\n1,two,4,3\n1,nan,4,3\n1,2,3,4\n1,2,4,0\n1 mm,2,4,3\n"),
-      "list.csv:2:1: 3 cells; the header has 4\n"
+      "list.csv:2:1: row: 3 cells; the header has 4\n"
       "list.csv:3:3: y: \"two\"; must be a number, its unit is in the header\n"
       "list.csv:4:3: y: \"nan\"; must be a number, its unit is in the header\n"
       "list.csv:5:1: ellipse 1: its semi-axes a = 3 mm and b = 4 mm must obey a >= b; swap them and add 90 "

@@ -103,13 +103,12 @@ TEST_F(Program, RefusesValuesOfOptions) {
 }
 
 TEST_F(Program, LocatesWhatALibraryRefuses) {
-  test::write_text("scene.toml", "[generate]\nwidth = \"20.3 mm\"\n");
-  expect_refusal(
-      {"generate", "scene.toml"}, Exit::data,
-      "scene.toml:2:9: generate.width: 20.3 mm; must be a whole number of pixels of 0.5 mm; take 20 mm or "
-      "20.5 mm");
+  test::write_text("scene.toml", "[generate]\nwidth = \"60.3 mm\"\n");
+  expect_refusal({"generate", "scene.toml"}, Exit::data,
+                 "scene.toml:2:9: generate.width: 60.3 mm; must be a whole number of pixels of 0.5 mm; take "
+                 "60 mm or 60.5 mm");
   expect_refusal({"generate", "--d-max", "3 mm"}, Exit::data,
-                 "--d-max: 3 mm; must be above d_min, which is 5 mm");
+                 "--d-max: 3 mm; must be above d_min, which is 5 mm; swap them or widen the range");
 }
 
 TEST_F(Program, RefusesInputsThatAreNotThere) {
@@ -183,7 +182,8 @@ TEST_F(Program, GenerateRefusesEndingsAndOtherSources) {
 TEST_F(Program, InspectTellsWhatIsInASpecimenAndAPicture) {
   make_small_specimen("a.h5");
   EXPECT_EQ(run({"inspect", "a.h5"}), Exit::ok);
-  EXPECT_THAT(out_.str(), StartsWith("specimen 20 mm x 20 mm, 20 x 20 pixels of 1 mm, from generated\n"));
+  EXPECT_THAT(out_.str(),
+              StartsWith("specimen 20 mm x 20 mm, 20 x 20 pixels of 1 mm, generated with seed 1\n"));
   EXPECT_EQ(run({"inspect", "a_preview.png", "--json"}), Exit::ok);
   const json figures = json::parse(out_.str());
   EXPECT_EQ(figures["kind"], "picture");
@@ -221,6 +221,83 @@ TEST_F(Program, ASpecimenThatChangedIsRefused) {
   test::write_text("scene.toml", "[specimen]\nfile = \"a.h5\"\nsha256 = \"abc\"\n");
   EXPECT_EQ(run({"simulate", "scene.toml", "--print-scene"}), Exit::data);
   EXPECT_THAT(err_.str(), StartsWith("mesopix: scene.toml:3:10: specimen.sha256: a.h5 has "));
+}
+
+TEST_F(Program, SimulateWritesAFolderAndSaysWhatCameOut) {
+  make_small_specimen("a.h5");
+  ASSERT_EQ(run({"simulate", "a.h5"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(), testing::MatchesRegex("peak .* MPa at strain .*\nwrote runs/a\n"));
+  EXPECT_TRUE(fs::exists("runs/a/result.h5"));
+  EXPECT_EQ(run({"inspect", "runs/a", "--json"}), Exit::ok);
+  EXPECT_EQ(json::parse(out_.str())["points"], 400);
+}
+
+TEST_F(Program, SimulateReportsAsJson) {
+  make_small_specimen("a.h5");
+  ASSERT_EQ(run({"simulate", "a.h5", "--json", "-q", "--direction", "compression"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(), IsEmpty());
+  const json figures = json::parse(out_.str());
+  EXPECT_EQ(figures["direction"], "compression");
+  EXPECT_GT(figures["peak_stress_Pa"].get<double>(), 0);
+}
+
+TEST_F(Program, SimulateCropsToWholeCellsAndKeepsTheNote) {
+  ASSERT_EQ(run({"generate", "--width", "21 mm", "--height", "20 mm", "--pixel-size", "1 mm", "--fraction",
+                 "0.2", "--d-min", "4 mm", "--d-max", "8 mm", "-o", "a.h5"}),
+            Exit::ok);
+  ASSERT_EQ(run({"simulate", "a.h5", "--json"}), Exit::ok) << err_.str();
+  const std::string note =
+      "the specimen was cropped from 21 x 20 to 20 x 20 pixels, at its top and right edges, to whole cells "
+      "of 2 x 2 "
+      "pixels";
+  EXPECT_THAT(err_.str(), HasSubstr("note: " + note + "\n"));
+  EXPECT_EQ(json::parse(out_.str())["notes"], json{note});
+}
+
+TEST_F(Program, SimulateKeepsWhatWasComputedBeforeItDiverged) {
+  make_small_specimen("a.h5");
+  EXPECT_EQ(run({"simulate", "a.h5", "--cfl", "1", "--local-damping", "0.99", "-o", "b"}), Exit::data);
+  EXPECT_THAT(err_.str(), HasSubstr("mesopix: simulate: "));
+  EXPECT_THAT(err_.str(), HasSubstr("; what was computed is in b\n"));
+  EXPECT_TRUE(fs::exists("b/curve.csv"));
+}
+
+TEST_F(Program, SimulateLeavesNoFolderWhereItCouldNotBegin) {
+  make_small_specimen("a.h5");
+  EXPECT_EQ(run({"simulate", "a.h5", "--mortar.poisson", "0.5"}), Exit::data);
+  EXPECT_THAT(err_.str(), HasSubstr("--mortar.poisson: 0.5; must lie in [0, 0.4999] in plane strain"));
+  EXPECT_FALSE(fs::exists("runs"));
+}
+
+TEST_F(Program, AMisspeltPhaseIsLocated) {
+  make_small_specimen("a.h5");
+  test::write_text("scene.toml", "[specimen]\nfile = \"a.h5\"\n[phases.mortr]\nyoung = \"20 GPa\"\n");
+  expect_refusal(
+      {"simulate", "scene.toml"}, Exit::data,
+      "scene.toml:4:9: phases.mortr: no such phase; the specimen has void, aggregate, mortar and itz; did "
+      "you mean mortar?");
+}
+
+TEST_F(Program, OverlappingEllipsesAreLocatedInTheirFile) {
+  test::write_text("list.csv", "x_mm,y_mm,a_mm,b_mm\n30,30,5,5\n34,30,5,5\n");
+  EXPECT_EQ(run({"generate", "--ellipses", "list.csv"}), Exit::data);
+  EXPECT_THAT(err_.str(), StartsWith("mesopix: list.csv: ellipses: number 1 at (30, 30) mm and number 2"));
+}
+
+TEST_F(Program, ConvertReadsItsOwnLabelsBack) {
+  ASSERT_EQ(run({"generate", "--width", "60 mm", "--height", "60 mm", "-o", "a.png"}), Exit::ok);
+  ASSERT_EQ(run({"convert", "a.png", "-o", "b.png", "--reference", "a.png", "--json"}), Exit::ok)
+      << err_.str();
+  EXPECT_EQ(specimen::read_picture("a.png").gray, specimen::read_picture("b.png").gray);
+  for (const auto& share : json::parse(out_.str())["intersection_over_union"]) EXPECT_EQ(share, 1);
+}
+
+TEST_F(Program, ConvertNeverOverwritesItsPicture) {
+  ASSERT_EQ(run({"generate", "--width", "60 mm", "--height", "60 mm", "-o", "a.h5"}), Exit::ok);
+  expect_refusal({"convert", "a_preview.png", "-o", "a_preview.png"}, Exit::usage,
+                 "-o: a_preview.png; would overwrite a_preview.png; choose another name");
+  expect_refusal({"convert", "a_preview.png", "-o", "a.h5"}, Exit::usage,
+                 "-o: a.h5; would overwrite a_preview.png; choose another name");
 }
 
 }  // namespace

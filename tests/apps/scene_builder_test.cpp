@@ -99,12 +99,22 @@ TEST(BuildScene, RingVerticesBecomePointsInThatModeOnly) {
   EXPECT_EQ(scene.phases[3]->young, 12e9);  // needed though no pixel is ITZ
 }
 
+TEST(BuildScene, RefusesAnEdgeAtWhichThePlatenTouchesNothing) {
+  const std::string cure =
+      "; must touch both platens; crop the picture with convert.crop to where the material begins";
+  EXPECT_EQ(complaint_about(specimen_of({"00", "00", "22", "22"}), {}),
+            "specimen: void along its top edge" + cure);
+  EXPECT_EQ(complaint_about(specimen_of({"22", "22", "00", "00"}), {}),
+            "specimen: void along its bottom edge" + cure);
+  EXPECT_EQ(complaint_about(specimen_of({"00", "02", "20", "00"}), {}), "accepted");
+}
+
 TEST(CropToCells, CutsAtTheTopAndAtTheRight) {
   specimen::Specimen specimen = specimen_of({"333", "122", "212"});
   const auto notes = app::crop_to_cells(specimen, 2);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes[0],
-            "The specimen was cropped from 3 x 3 to 2 x 2 pixels, at its top and right edges, to whole cells "
+            "the specimen was cropped from 3 x 3 to 2 x 2 pixels, at its top and right edges, to whole cells "
             "of 2 x 2 "
             "pixels.");
   EXPECT_EQ(specimen.mask.labels.data, (std::vector<std::uint8_t>{1, 2, 2, 1}));

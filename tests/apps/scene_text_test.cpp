@@ -19,7 +19,9 @@ app::Settings there_and_back(const app::Settings& settings, const std::string& f
 
 void expect_same(const app::Settings& first, const app::Settings& second) {
   for (const app::Field& field : app::fields())
-    if (field.kind != app::Kind::path) EXPECT_EQ(field.get(first), field.get(second)) << field.key;
+    if (field.kind != app::Kind::path) {
+      EXPECT_EQ(field.get(first), field.get(second)) << field.key;
+    }
   ASSERT_EQ(first.phases.size(), second.phases.size());
   for (std::size_t i = 0; i < first.phases.size(); ++i) {
     EXPECT_EQ(first.phases[i].name, second.phases[i].name);

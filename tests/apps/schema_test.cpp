@@ -70,7 +70,7 @@ std::vector<app::Field> every_field() {
 TEST(Schema, EveryFieldWritesWhatItReads) {
   for (const app::Field& field : every_field()) {
     Settings settings;
-    if (group_of(field.key) != "phases" || field.key.find("fibre") == std::string::npos) {
+    if (app::group_of(field.key) != "phases" || field.key.find("fibre") == std::string::npos) {
       // The default is readable, too; only a phase without material has none.
       ASSERT_NO_THROW(field.set(settings, field.get(settings))) << field.key;
     }
