@@ -67,7 +67,7 @@ std::vector<Point> cut_contour(const std::vector<Point>& contour, int segments) 
 // The part of a row of pixels that lies within `thickness` of a segment. The region is convex, so the row
 // cuts it in one interval, which ends on one of the two caps or on one of the two long sides.
 struct Interval {
-  double left = INFINITY, right = -INFINITY;
+  double left = infinite, right = -infinite;
   void include(double x) {
     left = std::min(left, x);
     right = std::max(right, x);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "specimen/error.hpp"
+#include "specimen/plane.hpp"
 #include "specimen/wording.hpp"
 
 namespace specimen {
@@ -74,7 +75,7 @@ void scale_within(std::vector<double>& diameters, double area, double low, doubl
 void check(const Grading& grading) {
   if (grading.empty())
     throw Error("generate.grading", "no size class", "must have at least one", "add d_min, d_max and share");
-  double sum = 0, above = INFINITY;
+  double sum = 0, above = infinite;
   for (const SizeClass& size : grading) {
     const std::string range = millimetres(size.d_min) + " to " + millimetres(size.d_max);
     if (!(size.d_min > 0) || !(size.d_max >= size.d_min) || !std::isfinite(size.d_max))

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "specimen/error.hpp"
@@ -11,6 +12,9 @@
 
 namespace specimen {
 namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 constexpr double mm = 1e-3;
 
@@ -108,12 +112,12 @@ TEST(Draw, ImpossibleEllipseIsNamed) {
       refusal({{0.05, 0.05, 0.01, 0.02, 0}}),
       "ellipses: number 1 at (50, 50) mm with semi-axes 10 mm and 20 mm; must be finite with a >= b > 0; "
       "the long semi-axis comes first");
-  for (const double bad : std::vector<double>{NAN, INFINITY, 0}) {
+  for (const double bad : std::vector<double>{not_a_number, infinite, 0}) {
     EXPECT_NE(refusal({{0.05, 0.05, bad, 0.02, 0}}), "");
     EXPECT_NE(refusal({{0.05, 0.05, 0.02, bad, 0}}), "");
   }
-  EXPECT_NE(refusal({{0.05, NAN, 0.02, 0.01, 0}}), "");
-  EXPECT_NE(refusal({{0.05, 0.05, 0.02, 0.01, NAN}}), "");
+  EXPECT_NE(refusal({{0.05, not_a_number, 0.02, 0.01, 0}}), "");
+  EXPECT_NE(refusal({{0.05, 0.05, 0.02, 0.01, not_a_number}}), "");
 }
 
 TEST(Draw, EllipseBetweenThePixelCentresIsNamed) {
@@ -131,7 +135,7 @@ TEST(Draw, SizeMustBeAWholeNumberOfPixels) {
             "generate.width: 100 mm; must be a whole number of pixels of 200 mm; take 200 mm");
   EXPECT_EQ(refusal({}, 0.15, 0.15, 0.5e-3), "");
   EXPECT_EQ(refusal({}, 0.1, 0.1, 0.1 / 3), "");
-  EXPECT_THAT(refusal({}, 0.1, 0.1, NAN), testing::HasSubstr("generate.pixel_size: nan"));
+  EXPECT_THAT(refusal({}, 0.1, 0.1, not_a_number), testing::HasSubstr("generate.pixel_size: nan"));
   EXPECT_THAT(refusal({}, -0.1), testing::HasSubstr("generate.width: -100 mm; must be > 0"));
   EXPECT_THAT(refusal({}, 0.1, 0.1, 1e-7), testing::HasSubstr("is 1e+06 pixels of 0.0001 mm"));
   EXPECT_THAT(refusal({}, 5, 5, 0.1 * mm), testing::HasSubstr("makes 50000 x 50000 pixels"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -13,6 +14,8 @@
 
 namespace specimen {
 namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double pi = std::numbers::pi;
 
@@ -87,10 +90,10 @@ double refined_gap(const Ellipse& first, const Ellipse& second, double s, double
 // Distance between two boundaries by sampling both, then by halving the steps round the nearest samples.
 // Empty when a sample of one lies inside the other. Not refined where the samples alone tell whether the
 // distance is above or below `asked`.
-std::optional<double> sampled_gap(const Ellipse& first, const Ellipse& second, double asked = NAN) {
+std::optional<double> sampled_gap(const Ellipse& first, const Ellipse& second, double asked = not_a_number) {
   const auto p = boundary_of(first), q = boundary_of(second);
   if (any_inside(p, second) || any_inside(q, first)) return std::nullopt;
-  double square = INFINITY;
+  double square = infinite;
   int s = 0, t = 0;
   for (int i = 0; i < samples; ++i) {
     for (int j = 0; j < samples; ++j) {

@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "specimen/error.hpp"
 #include "specimen/random.hpp"
 
 namespace specimen {
 namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 constexpr double mm = 1e-3;
 
@@ -139,8 +143,8 @@ TEST(Grading, EmptyRangeIsRefused) {
             "generate.d_max: 5 mm; must be above d_min, which is 20 mm; swap them or widen the range");
   EXPECT_EQ(refusal("fuller", 0, 5 * mm),
             "generate.d_min: 0 mm; must be > 0; give the size of the least aggregate");
-  EXPECT_THAT(refusal("fuller", NAN, 5 * mm), testing::HasSubstr("generate.d_min: nan"));
-  EXPECT_THAT(refusal("fuller", 5 * mm, INFINITY), testing::HasSubstr("generate.d_max: inf"));
+  EXPECT_THAT(refusal("fuller", not_a_number, 5 * mm), testing::HasSubstr("generate.d_min: nan"));
+  EXPECT_THAT(refusal("fuller", 5 * mm, infinite), testing::HasSubstr("generate.d_max: inf"));
   EXPECT_EQ(refusal("A8", 8 * mm, 20 * mm),
             "generate.d_min: 8 mm; must be below 8 mm, the largest aggregate of the curve A8; lower d_min or "
             "choose a coarser grading");

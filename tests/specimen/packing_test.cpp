@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "specimen/error.hpp"
@@ -13,11 +14,14 @@
 namespace specimen {
 namespace {
 
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 constexpr double mm = 1e-3;
 
 // The promise, by all pairs and not by the grid of the packing.
 void expect_promise(const Packing& packing, const PackingOptions& options) {
-  double sum = 0, last = INFINITY;
+  double sum = 0, last = infinite;
   for (std::size_t i = 0; i < packing.ellipses.size(); ++i) {
     const Ellipse& e = packing.ellipses[i];
     const Point half = half_extent(e);
@@ -194,18 +198,21 @@ TEST(Packing, UnusableOptionsAreRefused) {
             "generate.fraction: -10 %; must be between 0 and 90 %; 0 makes plain mortar");
   EXPECT_EQ(refusal([](PackingOptions& o) { o.fraction = 0.95; }),
             "generate.fraction: 95 %; must be between 0 and 90 %; 0 makes plain mortar");
-  EXPECT_THAT(refusal([](PackingOptions& o) { o.fraction = NAN; }),
+  EXPECT_THAT(refusal([](PackingOptions& o) { o.fraction = not_a_number; }),
               testing::HasSubstr("generate.fraction: nan"));
   EXPECT_EQ(refusal([](PackingOptions& o) { o.width = 0; }),
             "generate.width: 0 mm; must be > 0; give it with its unit, e.g. \"150 mm\"");
-  EXPECT_THAT(refusal([](PackingOptions& o) { o.height = NAN; }), testing::HasSubstr("generate.height: nan"));
+  EXPECT_THAT(refusal([](PackingOptions& o) { o.height = not_a_number; }),
+              testing::HasSubstr("generate.height: nan"));
   EXPECT_EQ(refusal([](PackingOptions& o) { o.gap = -1e-3; }), "generate.gap: -1 mm; must be >= 0");
-  EXPECT_THAT(refusal([](PackingOptions& o) { o.gap = NAN; }), testing::HasSubstr("generate.gap: nan"));
+  EXPECT_THAT(refusal([](PackingOptions& o) { o.gap = not_a_number; }),
+              testing::HasSubstr("generate.gap: nan"));
   EXPECT_EQ(refusal([](PackingOptions& o) { o.aspect_min = 0.01; }),
             "generate.aspect_min: 0.01; must be between 0.02 and 1; 1 makes circles");
   EXPECT_EQ(refusal([](PackingOptions& o) { o.aspect_max = 0.4; }),
             "generate.aspect_max: 0.4; must be between aspect_min, which is 0.5, and 1");
-  EXPECT_THAT(refusal([](PackingOptions& o) { o.aspect_max = NAN; }), testing::HasSubstr("aspect_max: nan"));
+  EXPECT_THAT(refusal([](PackingOptions& o) { o.aspect_max = not_a_number; }),
+              testing::HasSubstr("aspect_max: nan"));
   EXPECT_THAT(refusal([](PackingOptions& o) { o.grading = {}; }), testing::HasSubstr("no size class"));
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "specimen/error.hpp"
@@ -14,6 +15,8 @@
 
 namespace specimen {
 namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double pi = std::numbers::pi, mm = 1e-3;
 
@@ -42,7 +45,7 @@ double distance_to_segment(Point p, Point from, Point to) {
 }
 
 double distance_to_ring(Point p, const Ring& ring) {
-  double least = INFINITY;
+  double least = infinite;
   for (std::size_t i = 0; i < ring.vertices.size(); ++i)
     least = std::min(least,
                      distance_to_segment(p, ring.vertices[i], ring.vertices[(i + 1) % ring.vertices.size()]));
@@ -277,7 +280,7 @@ TEST(Ring, RefusesAThicknessOrAShapeThatDoesNotFit) {
     return "";
   };
   EXPECT_EQ(refusal(drawn.instances, 0), "itz.thickness: 0 mm; must be > 0");
-  EXPECT_EQ(refusal(drawn.instances, NAN), "itz.thickness: nan mm; must be > 0");
+  EXPECT_EQ(refusal(drawn.instances, not_a_number), "itz.thickness: nan mm; must be > 0");
   EXPECT_EQ(refusal({10, 20, 0}, 1 * mm),
             "instances: 20 x 10 pixels; must have the shape of the mask, 20 x 20 pixels");
 }

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "specimen/error.hpp"
 
 namespace specimen {
 namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double mm = 1e-3;
 
@@ -119,8 +122,8 @@ TEST(Sizes, ImpossibleGradingIsRefused) {
                 check({{5 * mm, 8 * mm, 1.5}, {4 * mm, 5 * mm, -0.5}});
               }),
               testing::HasSubstr("share -0.5 of 4 mm to 5 mm; must be >= 0"));
-  EXPECT_NE(refusal([] { check({{NAN, 8 * mm, 1}}); }), "");
-  EXPECT_NE(refusal([] { check({{5 * mm, 8 * mm, NAN}}); }), "");
+  EXPECT_NE(refusal([] { check({{not_a_number, 8 * mm, 1}}); }), "");
+  EXPECT_NE(refusal([] { check({{5 * mm, 8 * mm, not_a_number}}); }), "");
   EXPECT_EQ(refusal([] { check({{5 * mm, 8 * mm, 0.5}, {4 * mm, 5 * mm, 0.5}}); }), "");
 }
 

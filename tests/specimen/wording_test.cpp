@@ -3,15 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace specimen {
 namespace {
 
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 TEST(Wording, TellsQuantitiesWithTheirUnits) {
   EXPECT_EQ(number(0.5), "0.5");
   EXPECT_EQ(number(-1.0 / 3), "-0.333333");
-  EXPECT_EQ(number(NAN), "nan");
-  EXPECT_EQ(number(-INFINITY), "-inf");
+  EXPECT_EQ(number(not_a_number), "nan");
+  EXPECT_EQ(number(-infinite), "-inf");
   EXPECT_EQ(millimetres(0.0125), "12.5 mm");
   EXPECT_EQ(percent(0.45), "45 %");
   EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
