@@ -1,7 +1,6 @@
 #include "specimen/gap_test.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>

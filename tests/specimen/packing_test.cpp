@@ -228,6 +228,18 @@ TEST(Packing, AggregatesThatDoNotFitAreRefused) {
               testing::HasSubstr("aggregates; at most 2e+06 are allowed; raise d_min"));
 }
 
+TEST(Packing, EllipseThatFitsAtNoDirectionIsRefused) {
+  EXPECT_EQ(
+      refusal([](PackingOptions& o) {
+        o.width = o.height = 0.022;
+        o.grading = {{20 * mm, 20 * mm, 1}};
+        o.fraction = 314.2e-6 / (0.022 * 0.022);
+        o.aspect_max = 0.5;
+      }),
+      "generate.d_max: 20 mm; an aggregate of 28.2861 mm x 14.1431 mm does not fit between the walls at "
+      "any direction that was tried; lower d_max, raise aspect_min or take a larger specimen");
+}
+
 TEST(Packing, TooSmallAFractionForOneAggregateIsRefused) {
   EXPECT_THAT(refusal([](PackingOptions& o) { o.fraction = 1e-4; }),
               testing::StartsWith("generate.fraction: 2.25 mm^2 of aggregate; must be at least one"));
