@@ -62,13 +62,13 @@ std::size_t largest_from(const std::vector<std::int64_t>& areas, std::size_t fir
 
 }  // namespace
 
-Segmentation guess_method(const Picture& picture, const std::optional<ValueMap>& map) {
+Segmentation guess_method(const std::optional<ValueMap>& map) {
   constexpr int surely_labels = 8;
   constexpr double coherent = 0.8;
   if (map && coherence(*map) >= coherent && looks_like_grains(*map)) return Segmentation::instances;
   if (map && map->count() <= surely_labels) return Segmentation::labels;
   if (map && map->count() <= most_labels && coherence(*map) >= coherent) return Segmentation::labels;
-  return picture.gray.empty() ? Segmentation::kmeans : Segmentation::multi_otsu;
+  return Segmentation::kmeans;
 }
 
 std::vector<std::string> guess_label_phases(const ValueMap& map) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "specimen/convert.hpp"
-#include "specimen/picture.hpp"
 #include "specimen/values.hpp"
 
 namespace specimen {
@@ -17,18 +16,21 @@ inline constexpr int most_labels = 32;
 inline constexpr int most_grains = 65'535;
 
 /// Method for a picture:
-/// - instances: whole numbers, 0 and at least five others, nine in ten of them (almost) in one piece each;
-/// - labels: at most eight values, or at most 32 of which 80 % of the pixels share theirs with a neighbour;
-/// - else kmeans for colour and multi_otsu for grey.
+/// - instances: whole numbers, 0 and at least five others, nine in ten of them (almost) in one
+///   piece each;
+/// - labels: at most eight values, or at most 32 of which 80 % of the pixels share theirs with a
+///   neighbour;
+/// - else kmeans.
 /// @param map  the distinct values, where there are few enough.
-[[nodiscard]] Segmentation guess_method(const Picture& picture, const std::optional<ValueMap>& map);
+[[nodiscard]] Segmentation guess_method(const std::optional<ValueMap>& map);
 
 /// Phase of each value of a label map:
-/// - values out of 0, 1, 2, 3 with 2 among them are void, aggregate, mortar, itz, as write_labels writes
-/// them,
-///   unless 3 is there and yet 1 and 2 share more of their boundary with each other than with it;
-/// - else the value with the largest connected piece is mortar, for a matrix hangs together and aggregates do
-///   not; of three values or more 0 (black) and 255 are void, nothing or outside; all others are aggregate.
+/// - values out of 0, 1, 2, 3 with 2 among them are void, aggregate, mortar, itz, as write_labels
+///   writes them, unless 3 is there and yet 1 and 2 share more of their boundary with each other
+///   than with it;
+/// - else the value with the largest connected piece is mortar, for a matrix hangs together and
+///   aggregates do not; of three values or more 0 (black) and 255 are void, nothing or outside; all
+///   others are aggregate.
 [[nodiscard]] std::vector<std::string> guess_label_phases(const ValueMap& map);
 
 /// Phase of each class of a photograph, from the darkest to the brightest: of three or more the darkest is

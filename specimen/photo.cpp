@@ -70,38 +70,61 @@ Raster<std::uint8_t> sorted_pixels(const Raster<Lab>& picture, const std::vector
 
 // ---- drawings ----
 
+using Tally = std::map<Position, double>;  ///< how often each colour occurs
+
+double difference(const Position& a, const Position& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Take all within `reach` of the commonest colour out of the tally.   @return their mean and number.
+WeightedPoint take_commonest(Tally& left, double reach) {
+  const Position mode = std::max_element(left.begin(), left.end(), [](const auto& x, const auto& y) {
+                          return x.second < y.second;
+                        })->first;
+  WeightedPoint taken{{}, 0};
+  for (auto it = left.begin(); it != left.end();) {
+    const auto& [at, count] = *it;
+    if (difference(at, mode) > reach) {
+      ++it;
+      continue;
+    }
+    taken.weight += count;
+    for (std::size_t d = 0; d < at.size(); ++d) taken.at[d] += count * at[d];
+    it = left.erase(it);
+  }
+  for (double& sum : taken.at) sum /= taken.weight;
+  return taken;
+}
+
+/// Share of the colours that lie within `reach` of a centre [-].
+double share_near(const Tally& tally, const std::vector<Position>& centres, double reach) {
+  double near = 0, all = 0;
+  for (const auto& [at, count] : tally) {
+    all += count;
+    if (difference(at, centres[static_cast<std::size_t>(nearest(centres, at))]) <= reach) near += count;
+  }
+  return near / all;
+}
+
 /// Colours that the samples keep to: the commonest one with all within `reach` of it, then the commonest of
-/// the rest, and so on.   @return nothing when more than 12 would be needed for 98 % of the samples.
+/// the rest, and so on.
+/// @return nothing when more than 12 would be needed, or when the samples do not crowd round them: a
+/// photograph fills the space between.
 std::optional<std::vector<Position>> flat_colours(const std::vector<Lab>& colours) {
-  constexpr double reach = 5, enough = 0.98, least_share = 0.002;
+  constexpr double reach = 5, least_share = 0.002;
   constexpr std::size_t most = 12;
-  std::map<Position, double> left;
-  for (const Lab c : colours) ++left[lab_of(c)];
-  const auto total = static_cast<double>(colours.size());
-  double covered = 0;
+  Tally all;
+  for (const Lab c : colours) ++all[lab_of(c)];
+  Tally left = all;
   std::vector<Position> centres;
   while (!left.empty() && centres.size() < most) {
-    const auto top = std::max_element(left.begin(), left.end(),
-                                      [](const auto& x, const auto& y) { return x.second < y.second; });
-    const Position mode = top->first;
-    double weight = 0;
-    Position sum{};
-    for (auto it = left.begin(); it != left.end();) {
-      const auto& [at, count] = *it;
-      if (std::hypot(at[0] - mode[0], at[1] - mode[1], at[2] - mode[2]) > reach) {
-        ++it;
-        continue;
-      }
-      weight += count;
-      for (std::size_t d = 0; d < sum.size(); ++d) sum[d] += count * at[d];
-      it = left.erase(it);
-    }
-    covered += weight;
-    if (weight < least_share * total) break;
-    for (double& s : sum) s /= weight;
-    centres.push_back(sum);
+    const WeightedPoint taken = take_commonest(left, reach);
+    if (taken.weight < least_share * static_cast<double>(colours.size())) break;
+    centres.push_back(taken.at);
   }
-  if (covered < enough * total || centres.size() < 2) return std::nullopt;
+  if (centres.size() < 2 || share_near(all, centres, reach) < 0.98 ||
+      share_near(all, centres, reach / 2) < 0.9)
+    return std::nullopt;
   return rising_lightness(centres);
 }
 

@@ -28,11 +28,11 @@ struct ColourClasses {
 
 /// The same with the number of classes taken from the picture:
 /// - a drawing of up to 12 flat colours (noisy or not) has one class a colour;
-/// - a cut with a pink indicator (phenolphthalein): seven classes, of which pink is mortar, an untinted one
-/// is
-///   aggregate, and one that is between both, darker and browner, is void (the shaded mortar inside a pore);
-/// - else two classes by tint, lightness and roughness, each over squares of 2 % of the picture: grains that
-///   are cut or worn are smooth beside a sandy matrix.
+/// - a cut with a pink indicator (phenolphthalein): seven classes, of which pink is mortar, an
+///   untinted one is aggregate, and one that is between both, darker and browner, is void (the
+///   shaded mortar inside a pore);
+/// - else two classes by tint, lightness and roughness, each over squares of 2 % of the picture:
+///   grains that are cut or worn are smooth beside a sandy matrix.
 /// In both of the latter, pixels below half of the median lightness are a class of their own: what swallows
 /// the light is a hole. Source of the indicator's meaning: EN 14630.
 /// @param picture  calmed by a median.   @param grainy  the same picture before that, for its roughness.

@@ -127,9 +127,12 @@ int median_edge(const ConvertOptions& o, int rows, int cols) {
   return 2 * static_cast<int>(std::lround((0.01 * std::min(rows, cols) - 1) / 2)) + 1;
 }
 
+/// Twice the columns of the mask are sharp enough for a vote; below some 600 the colours of small pores mix
+/// with what is round them.
 int shrink_factor(const ConvertOptions& o, int cols) {
+  constexpr int fewest_columns = 600;
   if (o.median != -1 || o.pixels == 0) return 1;
-  return std::max(1, cols / (2 * o.pixels));
+  return std::max(1, cols / std::max(2 * o.pixels, fewest_columns));
 }
 
 template <class T>
@@ -201,12 +204,25 @@ Sorted segment_thresholds(const Picture& picture, const ConvertOptions& o, Conve
   return sorted;
 }
 
-ColourClasses classes_by_colour(const Picture& picture, const ConvertOptions& o, int& factor,
+/// Grey as colour: 8-bit values as they are, others with their span brought to 0 ... 255.
+Raster<Rgb> as_colour(const Raster<double>& gray) {
+  const auto [low, high] = std::minmax_element(gray.data.begin(), gray.data.end());
+  const bool bytes = *low >= 0 && *high <= 255 && *high > 1;
+  const double start = bytes ? 0 : *low, scale = bytes ? 1 : *high > *low ? 255 / (*high - *low) : 0;
+  Raster<Rgb> colour(gray.rows, gray.cols);
+  std::transform(gray.data.begin(), gray.data.end(), colour.data.begin(), [&](double v) {
+    const auto level = static_cast<std::uint8_t>(std::lround((v - start) * scale));
+    return Rgb{level, level, level};
+  });
+  return colour;
+}
+
+ColourClasses classes_by_colour(const Raster<Rgb>& picture, const ConvertOptions& o, int& factor,
                                 ConvertReport& report) {
   const int count = o.classes != 0 ? o.classes : static_cast<int>(o.class_phases.size());
-  const Raster<Lab> calm = to_lab(calmed(picture.colour, o, factor, report));
+  const Raster<Lab> calm = to_lab(calmed(picture, o, factor, report));
   if (count != 0) return colour_classes(calm, count);
-  return automatic_classes(calm, to_lab(factor > 1 ? shrunk(picture.colour, factor) : picture.colour));
+  return automatic_classes(calm, to_lab(factor > 1 ? shrunk(picture, factor) : picture));
 }
 
 /// Phases of colour classes: the darkest is void when it has less than half of the lightness of the others'
@@ -221,10 +237,9 @@ std::vector<std::string> guessed_phases(const ColourClasses& found) {
 }
 
 Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
-  if (picture.colour.empty())
-    throw Error("convert.method", "kmeans for a grey picture", "it sorts colours", "use multi_otsu");
   Sorted sorted;
-  const ColourClasses found = classes_by_colour(picture, o, sorted.factor, report);
+  const ColourClasses found = classes_by_colour(
+      picture.colour.empty() ? as_colour(picture.gray) : picture.colour, o, sorted.factor, report);
   const int count = static_cast<int>(found.centres.size());
   const bool guessed = o.class_phases.empty();
   if (!guessed && static_cast<int>(o.class_phases.size()) != count)
@@ -253,7 +268,7 @@ Sorted segment(const Picture& picture, const ConvertOptions& options, ConvertRep
   if (report.method == Segmentation::automatic) {
     const bool wants_classes = options.classes != 0 || !options.class_phases.empty() || options.median > 1;
     if (!wants_classes) map = distinct_values(picture, most_grains);
-    report.method = guess_method(picture, map);
+    report.method = guess_method(map);
     note(report, "method " + method_name(report.method) + ", chosen from the picture");
   }
   switch (report.method) {
