@@ -36,7 +36,7 @@ TEST(Summary, HoldsTheSettingAndTheSource) {
   EXPECT_EQ(figures["plane"], "plane strain");
   EXPECT_EQ(figures["precision"], "double");
   EXPECT_EQ(figures["threads"], 2);
-  EXPECT_EQ(figures["crack_closure"], true);
+  EXPECT_EQ(figures["crack_closure"], "unilateral");
   EXPECT_EQ(figures["title"], record.title);
   EXPECT_EQ(figures["scene_hash"], record.scene_hash);
   EXPECT_THAT(figures["version"].get<std::string>(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
