@@ -162,10 +162,16 @@ std::vector<Field> loading_fields() {
 }
 
 std::vector<Field> damage_fields() {
+  using mpm::CrackClosure;
+  const Choice<CrackClosure> closure{{{"off", CrackClosure::off},
+                                      {"clipped", CrackClosure::clipped},
+                                      {"unilateral", CrackClosure::unilateral}}};
   return {
       field("damage.seed", Integer<std::uint64_t>{{at_least(0), {}}}, "of the random strengths",
             MEMBER(scene.damage.seed)),
-      field("damage.crack_closure", Boolean{}, "a point that failed in tension still carries compression",
+      field("damage.crack_closure", closure,
+            "compression across a crack: off = none, clipped = tension cut off, unilateral = the same, "
+            "energy kept",
             MEMBER(scene.damage.crack_closure)),
       field("damage.residual_stiffness", ratio(below(0, 1)),
             "share of the stiffness that a failed point keeps", MEMBER(scene.damage.residual_stiffness)),

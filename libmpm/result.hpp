@@ -45,9 +45,11 @@ struct Result {
   /// With crack closure only: platen strain at which a point that had cracked was crushed in shear; else
   /// empty.
   Lattice<float> crush_strain;
-  std::int64_t tension_failures = 0;  ///< extra points included
-  std::int64_t shear_failures = 0;    ///< crushed ones included
-  std::int64_t points = 0;            ///< material points that were solved for
+  std::vector<float> extra_failure_strain;       ///< the same for Scene::extra_points, in their order
+  std::vector<std::uint8_t> extra_failure_mode;  ///< the same for Scene::extra_points, in their order
+  std::int64_t tension_failures = 0;             ///< extra points included
+  std::int64_t shear_failures = 0;               ///< crushed ones included
+  std::int64_t points = 0;                       ///< material points that were solved for
   std::int64_t steps = 0;
   double dt = 0;                ///< [s]
   double wall_time = 0;         ///< of the time loop [s]

@@ -37,9 +37,18 @@ struct Loading {
   std::optional<double> stop_drop;  ///< ends below this share of the peak stress [-], in (0, 1)
 };
 
+/// What a point that failed in tension does when it is compressed.
+enum class CrackClosure {
+  off,      ///< nothing: it is a ghost point
+  clipped,  ///< it carries its elastic stress with positive principal stresses clipped to zero; opening a
+            ///< crack then relieves compression along it, and energy is not kept (the ledger shows it)
+  unilateral,  ///< the same without what Poisson's effect of the opening did to the stress along the crack;
+               ///< keeps energy
+};
+
 struct Damage {
-  std::uint64_t seed = 1;         ///< of the strength field
-  bool crack_closure = false;     ///< a point that failed in tension still carries compression
+  std::uint64_t seed = 1;  ///< of the strength field
+  CrackClosure crack_closure = CrackClosure::off;
   double residual_stiffness = 0;  ///< share of the stiffness that a failed point keeps [-], in [0, 1)
 };
 

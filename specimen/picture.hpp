@@ -16,11 +16,14 @@ struct Rgb {
 };
 
 /// A picture as read: one grey or label channel, or colour.
+/// Grey values are as stored, an alpha channel beside them is passed over; of colour, transparency is laid
+/// over white. A picture with a palette holds both its colours and the indices into the palette.
 struct Picture {
-  Raster<double> gray;    ///< the values as stored (8, 16, 32 bit integer or float); empty for colour
-  Raster<Rgb> colour;     ///< empty for grey
-  int bits = 8;           ///< per channel, as stored
-  double pixel_size = 0;  ///< from the resolution tag [m]; 0 = the file does not say
+  Raster<double> gray;           ///< the values as stored (1 to 32 bit integer, float); empty for colour
+  Raster<Rgb> colour;            ///< empty for grey
+  Raster<std::uint8_t> indices;  ///< into the palette; empty where the file has none
+  int bits = 8;                  ///< per channel, as stored
+  double pixel_size = 0;         ///< from the resolution tag [m]; 0 = the file does not say
   [[nodiscard]] int rows() const { return gray.empty() ? colour.rows : gray.rows; }
   [[nodiscard]] int cols() const { return gray.empty() ? colour.cols : gray.cols; }
 };

@@ -7,16 +7,14 @@
 
 namespace specimen {
 
-/// Write a specimen: to a temporary name beside `path`, flushed and closed, then renamed. Labels are
-/// compressed and carry a Fletcher-32 checksum.   @throws Error (Fault::write).
+/// Write a specimen: to a temporary name beside `path`, flushed and closed, then renamed. Every dataset is
+/// compressed and carries a Fletcher-32 checksum; the same specimen gives the same bytes.
+/// @throws Error naming the file: for a specimen that is not valid, or a disk that fails (Fault::write).
 void write_specimen(const std::string& path, const Specimen& specimen);
 
-/// Read a specimen and check it: extents, types, labels within the phase table, ids.
-/// @throws Error naming the file and the dataset that is wrong.
+/// Read a specimen and check it: extents before memory is asked for, types, links, checksums, labels within
+/// the phase table, ids.
+/// @throws Error naming the file and the dataset that is wrong; Fault::write when it cannot be opened at all.
 [[nodiscard]] Specimen read_specimen(const std::string& path);
-
-/// Lower-case hexadecimal SHA-256 of a file's bytes.   @throws Error when it cannot be read.
-[[nodiscard]] std::string sha256_of_file(const std::string& path);
-[[nodiscard]] std::string sha256_of_text(const std::string& text);
 
 }  // namespace specimen

@@ -63,8 +63,8 @@ TEST(SettingOptions, ValuesMayBeginWithADash) {
 }
 
 TEST(SettingOptions, SwitchesNeedNoValueAndTakeOneBehindAnEqualsSign) {
-  expect_one({"--crack-closure"}, "damage.crack_closure", {true}, "--crack-closure");
-  expect_one({"--crack-closure=false"}, "damage.crack_closure", {false}, "--crack-closure");
+  expect_one({"--walraven"}, "generate.walraven", {true}, "--walraven");
+  expect_one({"--walraven=false"}, "generate.walraven", {false}, "--walraven");
 }
 
 TEST(SettingOptions, PhasesOfAnyNameHaveOptions) {

@@ -104,9 +104,9 @@ TEST(SceneFile, RefusesWrongTypes) {
               ElementsAre("dir/scene.toml:1:1: loading.velocity: a table or a date; must be a single value"));
   EXPECT_THAT(complaints_about("[damage]\nseed = 1979-05-27"),
               ElementsAre("dir/scene.toml:2:8: damage.seed: a table or a date; must be a single value"));
-  EXPECT_THAT(complaints_about("[damage]\nseed = -1\ncrack_closure = 1"),
+  EXPECT_THAT(complaints_about("[damage]\nseed = -1\n[generate]\nwalraven = 1"),
               ElementsAre("dir/scene.toml:2:8: damage.seed: -1; must be >= 0",
-                          "dir/scene.toml:3:17: damage.crack_closure: 1; must be true or false"));
+                          "dir/scene.toml:4:12: generate.walraven: 1; must be true or false"));
 }
 
 TEST(SceneFile, RefusesWhatIsNoToml) {

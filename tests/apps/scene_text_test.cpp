@@ -38,7 +38,7 @@ app::Settings unusual_settings() {
   settings.scene.loading.stop_drop = 0.1 + 0.2;
   settings.scene.loading.ramp_time = 1e-4 / 7;
   settings.scene.damage.seed = 1234567890123;
-  settings.scene.damage.crack_closure = true;
+  settings.scene.damage.crack_closure = mpm::CrackClosure::unilateral;
   settings.scene.plane = mpm::Plane::stress;
   settings.scene.precision = mpm::Precision::single;
   settings.title = "quotes \" and \\ and\nlines";

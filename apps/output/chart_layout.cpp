@@ -1,0 +1,187 @@
+#include "apps/output/chart_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "apps/output/thin_line.hpp"
+#include "apps/output/ticks.hpp"
+
+namespace output {
+namespace {
+
+constexpr double text_size = 13;
+constexpr double line_height = 20;
+constexpr double sample_length = 18;  ///< of the line beside a name in the legend
+constexpr double edge = 2;            ///< kept free all round
+
+/// Mean width of a character of a sans-serif face over its size; a little generous, so that nothing is cut.
+double text_width(const std::string& text) {
+  const auto characters = std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  return 0.58 * text_size * static_cast<double>(characters);
+}
+
+struct Range {
+  double low = 0;
+  double high = 0;
+  [[nodiscard]] double width() const { return high - low; }
+};
+
+/// Of finite values and zero.
+Range range_of(const std::vector<Series>& series, std::vector<double> Series::*values) {
+  Range range;
+  for (const Series& line : series)
+    for (const double value : line.*values)
+      if (std::isfinite(value)) {
+        range.low = std::min(range.low, value);
+        range.high = std::max(range.high, value);
+      }
+  if (range.width() <= 0) range.high = 1;
+  return range;
+}
+
+/// With room for a marker's words above the highest point.
+Range with_headroom(Range range, bool has_markers) {
+  range.high += (has_markers ? 0.14 : 0.04) * range.width();
+  if (range.low < 0) range.low -= 0.04 * range.width();
+  return range;
+}
+
+/// The rectangle of the data, and how data come into it.
+struct Frame {
+  double left = 0, right = 0, top = 0, bottom = 0;
+  Range x, y;
+
+  [[nodiscard]] Place place(double x_value, double y_value) const {
+    return {left + (x_value - x.low) / x.width() * (right - left),
+            bottom - (y_value - y.low) / y.width() * (bottom - top)};
+  }
+};
+
+struct LegendEntry {
+  const Series* series = nullptr;
+  Place at;  ///< left end, on the base line
+};
+
+/// Names in rows that fill the width; none for a single line.
+std::vector<LegendEntry> legend_of(const std::vector<Series>& series, double width, double first_base_line) {
+  std::vector<LegendEntry> entries;
+  if (series.size() < 2) return entries;
+  Place at{edge, first_base_line};
+  for (const Series& line : series) {
+    const double entry_width = sample_length + 6 + text_width(line.name);
+    if (at.x > edge && at.x + entry_width > width) at = {edge, at.y + line_height};
+    entries.push_back({&line, at});
+    at.x += entry_width + 14;
+  }
+  return entries;
+}
+
+std::string title_of(const Axis& axis) {
+  return axis.unit.empty() ? axis.label : axis.label + " (" + axis.unit + ")";
+}
+
+void draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries) {
+  for (const LegendEntry& entry : entries) {
+    const double middle = entry.at.y - 0.35 * text_size;
+    drawing.shapes.emplace_back(Stroke{{{entry.at.x, middle}, {entry.at.x + sample_length, middle}},
+                                       entry.series->ink,
+                                       2,
+                                       entry.series->dashed});
+    drawing.shapes.emplace_back(Words{{entry.at.x + sample_length + 6, entry.at.y},
+                                      entry.series->name,
+                                      text_size,
+                                      Anchor::start,
+                                      Ink::text});
+  }
+}
+
+void draw_y_axis(Drawing& drawing, const Frame& frame, const Ticks& ticks) {
+  for (const double value : ticks.values) {
+    const double y = frame.place(frame.x.low, value).y;
+    drawing.shapes.emplace_back(
+        Stroke{{{frame.left, y}, {frame.right, y}}, value == 0 ? Ink::axis : Ink::grid, 1});
+    drawing.shapes.emplace_back(Words{{frame.left - 8, y + 0.35 * text_size},
+                                      tick_text(value, ticks.step),
+                                      text_size,
+                                      Anchor::end,
+                                      Ink::muted});
+  }
+}
+
+void draw_x_axis(Drawing& drawing, const Frame& frame, const Ticks& ticks, const std::string& title) {
+  drawing.shapes.emplace_back(
+      Stroke{{{frame.left, frame.bottom}, {frame.right, frame.bottom}}, Ink::axis, 1});
+  for (const double value : ticks.values) {
+    const double x = frame.place(value, frame.y.low).x;
+    drawing.shapes.emplace_back(Stroke{{{x, frame.bottom}, {x, frame.bottom + 5}}, Ink::axis, 1});
+    drawing.shapes.emplace_back(Words{{x, frame.bottom + 5 + 1.1 * text_size},
+                                      tick_text(value, ticks.step),
+                                      text_size,
+                                      Anchor::middle,
+                                      Ink::muted});
+  }
+  drawing.shapes.emplace_back(
+      Words{{(frame.left + frame.right) / 2, frame.bottom + 5 + 1.1 * text_size + line_height},
+            title,
+            text_size,
+            Anchor::middle,
+            Ink::text});
+}
+
+void draw_series(Drawing& drawing, const Frame& frame, const Series& series) {
+  for (std::vector<Place>& places : unbroken_lines(series.x, series.y)) {
+    for (Place& place : places) place = frame.place(place.x, place.y);
+    drawing.shapes.emplace_back(Stroke{thin_line(places), series.ink, 2, series.dashed});
+  }
+}
+
+/// Words go to the right of the point, or to the left where they would leave the drawing.
+void draw_marker(Drawing& drawing, const Frame& frame, const Marker& marker) {
+  if (!std::isfinite(marker.x) || !std::isfinite(marker.y)) return;
+  const Place at = frame.place(marker.x, marker.y);
+  const bool fits = at.x + 10 + text_width(marker.text) <= drawing.width;
+  drawing.shapes.emplace_back(Dot{at, 4, Ink::text});
+  drawing.shapes.emplace_back(Words{{at.x + (fits ? 10 : -10), at.y - 8},
+                                    marker.text,
+                                    text_size,
+                                    fits ? Anchor::start : Anchor::end,
+                                    Ink::text});
+}
+
+double widest(const Ticks& ticks) {
+  double width = 0;
+  for (const double value : ticks.values) width = std::max(width, text_width(tick_text(value, ticks.step)));
+  return width;
+}
+
+}  // namespace
+
+Drawing lay_out(const Chart& chart, double width, double height) {
+  Drawing drawing{width, height, chart.title, {}};
+  const std::vector<LegendEntry> legend = legend_of(chart.series, width, 2 * line_height);
+
+  Frame frame;
+  frame.x = range_of(chart.series, &Series::x);
+  frame.y = with_headroom(range_of(chart.series, &Series::y), !chart.markers.empty());
+  frame.top = (legend.empty() ? line_height : legend.back().at.y) + 0.6 * line_height;
+  frame.bottom = height - 5 - 1.1 * text_size - 1.35 * line_height;
+  const Ticks y_ticks = ticks_between(frame.y.low, frame.y.high,
+                                      std::clamp(static_cast<int>((frame.bottom - frame.top) / 38), 2, 8));
+  frame.left = edge + widest(y_ticks) + 8;
+  const Ticks x_ticks =
+      ticks_between(frame.x.low, frame.x.high, std::clamp(static_cast<int>(width / 75), 2, 12));
+  frame.right = width - edge - widest(x_ticks) / 2;
+
+  drawing.shapes.emplace_back(
+      Words{{edge, line_height - 5}, title_of(chart.y), text_size, Anchor::start, Ink::text});
+  draw_legend(drawing, legend);
+  draw_y_axis(drawing, frame, y_ticks);
+  draw_x_axis(drawing, frame, x_ticks, title_of(chart.x));
+  for (const Series& series : chart.series) draw_series(drawing, frame, series);
+  for (const Marker& marker : chart.markers) draw_marker(drawing, frame, marker);
+  return drawing;
+}
+
+}  // namespace output

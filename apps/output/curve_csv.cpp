@@ -1,0 +1,42 @@
+#include "apps/output/curve_csv.hpp"
+
+#include "apps/output/text.hpp"
+#include "libmpm/history_columns.hpp"
+
+namespace output {
+namespace {
+
+std::string cell(double value) { return exact(value); }
+std::string cell(std::int64_t value) { return std::to_string(value); }
+
+std::string header_of(const mpm::HistoryColumn& column) {
+  std::string name(column.name);
+  if (column.unit == "1") return name;
+  name += '_';
+  for (const char c : column.unit) name += c == '/' ? std::string("_per_") : std::string(1, c);
+  return name;
+}
+
+/// One line of the table; text_of gives the cell of a column.
+template <class TextOf>
+std::string line(TextOf text_of) {
+  std::string text;
+  for (const mpm::HistoryColumn& column : mpm::history_columns()) {
+    if (!text.empty()) text += ',';
+    text += text_of(column);
+  }
+  return text + '\n';
+}
+
+}  // namespace
+
+std::string curve_csv(const std::vector<mpm::HistoryRow>& history) {
+  std::string csv = line(header_of);
+  for (const mpm::HistoryRow& row : history)
+    csv += line([&](const mpm::HistoryColumn& column) {
+      return std::visit([&](auto member) { return cell(row.*member); }, column.member);
+    });
+  return csv;
+}
+
+}  // namespace output

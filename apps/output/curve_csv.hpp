@@ -1,0 +1,15 @@
+/// curve.csv: the history as a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libmpm/result.hpp"
+
+namespace output {
+
+/// All columns of the history, comma separated, one header line with the SI unit in each name (strain,
+/// stress_Pa, platen_work_J_per_m ...). Numbers read back as the same doubles, in any locale.
+[[nodiscard]] std::string curve_csv(const std::vector<mpm::HistoryRow>& history);
+
+}  // namespace output

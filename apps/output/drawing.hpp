@@ -1,0 +1,50 @@
+/// A drawing: lines, dots and words with their places. Renderers turn it into SVG or pixels.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "apps/output/ink.hpp"
+
+namespace output {
+
+/// Place on the drawing, x to the right, y DOWN [px of the drawing].
+struct Place {
+  double x = 0;
+  double y = 0;
+};
+
+struct Stroke {
+  std::vector<Place> places;
+  Ink ink = Ink::text;
+  double width = 1;
+  bool dashed = false;
+};
+
+struct Dot {
+  Place centre;
+  double radius = 1;
+  Ink ink = Ink::text;
+};
+
+enum class Anchor { start, middle, end };
+
+struct Words {
+  Place at;  ///< on the base line
+  std::string text;
+  double size = 13;
+  Anchor anchor = Anchor::start;
+  Ink ink = Ink::text;
+};
+
+using Shape = std::variant<Stroke, Dot, Words>;
+
+struct Drawing {
+  double width = 0;
+  double height = 0;
+  std::string title;
+  std::vector<Shape> shapes;  ///< later ones lie on top
+};
+
+}  // namespace output

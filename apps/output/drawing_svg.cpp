@@ -1,0 +1,57 @@
+#include "apps/output/drawing_svg.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "apps/output/html.hpp"
+
+namespace output {
+namespace {
+
+std::string_view name_of(Anchor anchor) {
+  switch (anchor) {
+    case Anchor::start:
+      return "start";
+    case Anchor::middle:
+      return "middle";
+    case Anchor::end:
+      return "end";
+  }
+  return {};
+}
+
+struct Element {
+  std::string operator()(const Stroke& stroke) const {
+    std::string places;
+    for (const Place& place : stroke.places)
+      places += fmt::format("{}{:.1f},{:.1f}", places.empty() ? "" : " ", place.x, place.y);
+    return fmt::format("<polyline class=\"stroke-{}\" stroke-width=\"{:.4g}\"{} points=\"{}\"/>\n",
+                       output::name_of(stroke.ink), stroke.width,
+                       stroke.dashed ? " stroke-dasharray=\"6 4\"" : "", places);
+  }
+  std::string operator()(const Dot& dot) const {
+    return fmt::format("<circle class=\"fill-{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.4g}\"/>\n",
+                       output::name_of(dot.ink), dot.centre.x, dot.centre.y, dot.radius);
+  }
+  std::string operator()(const Words& words) const {
+    return fmt::format(
+        "<text class=\"fill-{}\" x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:.4g}\" "
+        "text-anchor=\"{}\">{}</text>\n",
+        output::name_of(words.ink), words.at.x, words.at.y, words.size, name_of(words.anchor),
+        escape(words.text));
+  }
+};
+
+}  // namespace
+
+std::string svg_of(const Drawing& drawing) {
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.4g} {:.4g}\" role=\"img\" "
+      "aria-label=\"{}\">\n",
+      drawing.width, drawing.height, escape(drawing.title));
+  for (const Shape& shape : drawing.shapes) svg += std::visit(Element{}, shape);
+  return svg + "</svg>\n";
+}
+
+}  // namespace output

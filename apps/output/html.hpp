@@ -1,0 +1,16 @@
+/// Text for HTML and XML.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace output {
+
+/// Text that shows itself, in an element or between quotes: & < > " ' are escaped, control characters and
+/// bytes that are no UTF-8 become U+FFFD.
+[[nodiscard]] std::string escape(std::string_view text);
+
+/// Bytes as the address of an embedded picture: "data:image/png;base64,...".
+[[nodiscard]] std::string png_address(std::string_view png);
+
+}  // namespace output

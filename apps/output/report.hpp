@@ -1,0 +1,14 @@
+/// report.html: a run on one page that needs no network and no script.
+#pragma once
+
+#include <string>
+
+#include "apps/run_folder.hpp"
+
+namespace output {
+
+/// The whole page: curve, damage, specimen, key figures, energies, failures, scene, provenance. It is
+/// well-formed XML too, and everything from outside is escaped.
+[[nodiscard]] std::string report_html(const RunRecord& record);
+
+}  // namespace output

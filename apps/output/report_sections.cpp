@@ -1,0 +1,203 @@
+#include "apps/output/report_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/output/failure_table.hpp"
+#include "apps/output/html.hpp"
+#include "apps/output/key_figures.hpp"
+#include "apps/output/report_parts.hpp"
+#include "apps/output/run_charts.hpp"
+#include "apps/output/run_words.hpp"
+#include "apps/output/text.hpp"
+#include "specimen/preview.hpp"
+
+namespace output {
+namespace {
+
+/// Without the unit.
+std::string size_in_mm(const specimen::LabelledMask& mask) {
+  return trimmed(1e3 * mask.width()) + " × " + trimmed(1e3 * mask.height());
+}
+
+std::string size_in_pixels(const specimen::LabelledMask& mask) {
+  return grouped(mask.labels.cols) + " × " + grouped(mask.labels.rows);
+}
+
+std::string notes_html(const RunRecord& record) {
+  if (record.notes.empty()) return "";
+  std::string html = "<aside class=\"notes\">\n<h3>Notes</h3>\n<ul>\n";
+  for (const std::string& note : record.notes) html += fmt::format("<li>{}</li>\n", escape(note));
+  return html + "</ul>\n</aside>\n";
+}
+
+std::vector<Fact> strength_facts(const mpm::Result& result) {
+  const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
+  return {{"Peak stress", rounded(1e-6 * result.peak_stress), "MPa"},
+          {"Strain at the peak", rounded(1e6 * result.peak_strain), "microstrain"},
+          {"Secant modulus at 40 %", rounded(1e-9 * secant_modulus(result)), "GPa"},
+          {"Stress at the end", rounded(1e-6 * end.stress), "MPa"},
+          {"Strain at the end", rounded(1e6 * end.strain), "microstrain"},
+          {"Work of the platens", rounded(end.platen_work), "J/m"},
+          {"Failures in tension", grouped(result.tension_failures), "points"},
+          {"Failures in shear", grouped(result.shear_failures), "points"}};
+}
+
+/// Diameters of the circles of the same area.
+Fact diameter_fact(const std::vector<specimen::Inclusion>& inclusions) {
+  const auto [least, largest] = std::minmax_element(
+      inclusions.begin(), inclusions.end(),
+      [](const auto& a, const auto& b) { return a.equivalent_diameter < b.equivalent_diameter; });
+  return {"Equivalent diameters",
+          rounded(1e3 * least->equivalent_diameter) + " to " + rounded(1e3 * largest->equivalent_diameter),
+          "mm"};
+}
+
+std::vector<Fact> specimen_facts(const RunRecord& record) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  std::vector<Fact> facts{{"Size", size_in_mm(mask), "mm"},
+                          {"Picture", size_in_pixels(mask), "pixels"},
+                          {"Pixel size", trimmed(1e3 * mask.pixel_size), "mm"}};
+  for (const auto& [phase, share] : phase_shares(mask))
+    facts.push_back({"Area share of " + phase_word(phase), with_decimals(100 * share, 2), "%"});
+  const std::vector<specimen::Inclusion>& inclusions = record.specimen.inclusions;
+  facts.push_back({"Aggregates", grouped(static_cast<std::int64_t>(inclusions.size())), "pieces"});
+  if (!inclusions.empty()) facts.push_back(diameter_fact(inclusions));
+  if (!record.scene.extra_points.empty())
+    facts.push_back(
+        {"Extra ITZ points", grouped(static_cast<std::int64_t>(record.scene.extra_points.size())), "points"});
+  return facts;
+}
+
+std::string specimen_picture(const specimen::LabelledMask& mask) {
+  std::string legend;
+  for (std::size_t label = 0; label < mask.phases.size(); ++label) {
+    const auto value = static_cast<std::uint8_t>(label);
+    if (std::find(mask.labels.data.begin(), mask.labels.data.end(), value) != mask.labels.data.end())
+      legend += swatch(specimen::phase_colour(value), phase_word(mask.phases[label]));
+  }
+  return image(specimen::preview(mask), "The phases of the specimen", "") + "<p class=\"legend below\">" +
+         legend + "</p>\n";
+}
+
+std::vector<std::string> failure_row(const FailureCount& count, bool with_crushed) {
+  std::vector<std::string> row{capitalised(phase_word(count.phase)), grouped(count.points),
+                               grouped(count.tension), grouped(count.shear)};
+  if (with_crushed) row.push_back(grouped(count.crushed));
+  row.push_back(grouped(count.intact()));
+  const auto failed = static_cast<double>(count.tension + count.shear);
+  row.push_back(count.points == 0 ? "" : percent(failed / static_cast<double>(count.points), 2));
+  return row;
+}
+
+std::string failure_table_html(const RunRecord& record) {
+  const bool with_crushed = record.result.crush_strain.size() > 0;
+  std::vector<std::string> head{"Phase", "Points", "Tension", "Shear"};
+  if (with_crushed) head.emplace_back("Crushed later");
+  head.insert(head.end(), {"Intact", "Failed"});
+  std::vector<std::vector<std::string>> rows;
+  const std::vector<FailureCount> by_phase = failures_by_phase(record);
+  for (const FailureCount& count : by_phase)
+    if (count.phase != "void") rows.push_back(failure_row(count, with_crushed));
+  if (!record.scene.extra_points.empty())
+    rows.push_back(failure_row(failures_of_extra_points(record, by_phase), with_crushed));
+  return number_table(head, rows);
+}
+
+std::vector<Fact> solution_facts(const RunRecord& record) {
+  const mpm::Result& result = record.result;
+  return {{"Material points", grouped(result.points), "points"},
+          {"Steps", grouped(result.steps), "steps"},
+          {"Time step", rounded(1e9 * result.dt), "ns"},
+          {"Time of the loop", rounded(result.wall_time), "s"},
+          {"Speed", rounded(1e-6 * result.point_updates_per_second()), "million points/s"},
+          {"Largest energy imbalance", rounded(100 * result.energy_error, 2), "% of the work"},
+          {"Threads", grouped(record.scene.threads), "threads"}};
+}
+
+std::vector<Fact> provenance_facts(const RunRecord& record) {
+  const specimen::Provenance& provenance = record.specimen.provenance;
+  std::vector<Fact> facts{
+      {"Ended because", phrase_of(record.result.stop)},
+      {"Program", "mesopix " + version()},
+      {"Arithmetic", word_of(record.scene.precision) + " precision, " + record.result.instruction_set},
+      {"Specimen", provenance.source}};
+  if (!provenance.version.empty()) facts.push_back({"Specimen made by", "mesopix " + provenance.version});
+  if (!provenance.sha256.empty()) facts.push_back({"Source SHA-256", provenance.sha256});
+  if (provenance.seed != 0) facts.push_back({"Aggregate seed", std::to_string(provenance.seed)});
+  facts.push_back({"Strength seed", std::to_string(record.scene.damage.seed)});
+  facts.push_back({"Scene SHA-256", record.scene_hash});
+  return facts;
+}
+
+}  // namespace
+
+std::string title_of(const RunRecord& record) {
+  if (!record.title.empty()) return record.title;
+  return capitalised(word_of(record.scene.loading.direction)) + " of a specimen of " +
+         size_in_mm(record.specimen.mask) + " mm";
+}
+
+std::string header_html(const RunRecord& record) {
+  const mpm::Scene& scene = record.scene;
+  const std::string setting = fmt::format(
+      "{} at {} m/s, {} platens, {}; {} mm, {} pixels", capitalised(word_of(scene.loading.direction)),
+      trimmed(scene.loading.velocity), word_of(scene.loading.platen), word_of(scene.plane),
+      size_in_mm(record.specimen.mask), size_in_pixels(record.specimen.mask));
+  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n{}</header>\n",
+                     escape(title_of(record)), escape(setting), notes_html(record));
+}
+
+std::string curve_section(const RunRecord& record) {
+  return section(
+      "Stress and strain",
+      side_by_side("lead",
+                   chart_figure(stress_chart(record), 590, 400,
+                                "Stress is the mean of the reactions of both platens over the width; "
+                                "strain is the displacement of the platens over the height. The secant "
+                                "modulus is that where the stress first reaches 40 % of its peak."),
+                   facts_table(strength_facts(record.result))));
+}
+
+std::string specimen_section(const RunRecord& record) {
+  return section("Specimen", side_by_side("fit", specimen_picture(record.specimen.mask),
+                                          facts_table(specimen_facts(record))));
+}
+
+std::string ledger_section(const RunRecord& record) {
+  return section(
+      "Energies and failures",
+      side_by_side("even",
+                   chart_figure(energy_chart(record), 480, 330,
+                                std::string("The work that the platens put in is stored, set free by failing "
+                                            "points, or moves the specimen") +
+                                    (record.scene.local_damping > 0 ? ", or is damped away." : ".")),
+                   chart_figure(failure_chart(record), 480, 330, "Points that have failed so far.")) +
+          failure_table_html(record));
+}
+
+std::string solution_section(const RunRecord& record) {
+  return section("Solution and provenance", side_by_side("even", facts_table(solution_facts(record)),
+                                                         facts_table(provenance_facts(record))));
+}
+
+std::string scene_section(const RunRecord& record) {
+  const std::string& options = record.specimen.provenance.options;
+  return section("Scene", folded("The scene, with every default written out", record.scene_toml) +
+                              (options.empty() ? "" : folded("How the specimen was made", options)));
+}
+
+std::string citation_section(const RunRecord& record) {
+  return section(
+      "How to cite",
+      fmt::format(
+          "<blockquote>mesopix {}: from a picture of concrete to a broken specimen (computer program). "
+          "Scene {}.</blockquote>\n"
+          "<p>The model is that of</p>\n"
+          "<blockquote>Liu, Zou, Hu, Liu, Cong and Zhang: Numerical Simulation of Mesodamage Behavior of "
+          "Concrete Based on Material Point Method. Advances in Civil Engineering (2020).</blockquote>\n",
+          escape(version()), escape(record.scene_hash.substr(0, 12))));
+}
+
+}  // namespace output

@@ -1,0 +1,22 @@
+/// The sections of the report, in the order of the page. Each returns HTML.
+#pragma once
+
+#include <string>
+
+#include "apps/run_folder.hpp"
+
+namespace output {
+
+[[nodiscard]] std::string header_html(const RunRecord& record);     ///< title, setting, notes
+[[nodiscard]] std::string curve_section(const RunRecord& record);   ///< stress chart and key figures
+[[nodiscard]] std::string damage_section(const RunRecord& record);  ///< pictures at shares of the peak strain
+[[nodiscard]] std::string specimen_section(const RunRecord& record);  ///< preview and statistics
+[[nodiscard]] std::string ledger_section(const RunRecord& record);    ///< energies, failures, their table
+[[nodiscard]] std::string solution_section(const RunRecord& record);  ///< how it was computed, from what
+[[nodiscard]] std::string scene_section(const RunRecord& record);
+[[nodiscard]] std::string citation_section(const RunRecord& record);
+
+/// The user's title, or one made from the setting.
+[[nodiscard]] std::string title_of(const RunRecord& record);
+
+}  // namespace output

@@ -1,0 +1,62 @@
+#include "apps/output/run_words.hpp"
+
+namespace output {
+
+std::string word_of(mpm::Direction direction) {
+  return direction == mpm::Direction::tension ? "tension" : "compression";
+}
+
+std::string word_of(mpm::Platen platen) { return platen == mpm::Platen::smooth ? "smooth" : "rough"; }
+
+std::string word_of(mpm::Plane plane) {
+  return plane == mpm::Plane::strain ? "plane strain" : "plane stress";
+}
+
+std::string word_of(mpm::Precision precision) {
+  return precision == mpm::Precision::single ? "single" : "double";
+}
+
+std::string word_of(mpm::CrackClosure law) {
+  switch (law) {
+    case mpm::CrackClosure::off:
+      return "off";
+    case mpm::CrackClosure::clipped:
+      return "clipped";
+    case mpm::CrackClosure::unilateral:
+      return "unilateral";
+  }
+  return {};
+}
+
+std::string word_of(mpm::StopReason reason) {
+  switch (reason) {
+    case mpm::StopReason::strain:
+      return "strain";
+    case mpm::StopReason::drop:
+      return "drop";
+    case mpm::StopReason::interrupted:
+      return "interrupted";
+  }
+  return {};
+}
+
+std::string phrase_of(mpm::StopReason reason) {
+  switch (reason) {
+    case mpm::StopReason::strain:
+      return "the final strain was reached";
+    case mpm::StopReason::drop:
+      return "the stress had dropped";
+    case mpm::StopReason::interrupted:
+      return "it was interrupted";
+  }
+  return {};
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::string phase_word(const std::string& phase) { return phase == "itz" ? "ITZ" : phase; }
+
+}  // namespace output

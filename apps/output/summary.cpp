@@ -1,0 +1,98 @@
+#include <nlohmann/json.hpp>
+
+#include "apps/output/damage_stages.hpp"
+#include "apps/output/failure_table.hpp"
+#include "apps/output/key_figures.hpp"
+#include "apps/output/run_words.hpp"
+#include "apps/run_folder.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+json failures_of(const RunRecord& record) {
+  json rows = json::array();
+  const auto add = [&](const output::FailureCount& count) {
+    rows.push_back({{"phase", count.phase},
+                    {"points", count.points},
+                    {"tension", count.tension},
+                    {"shear", count.shear},
+                    {"crushed", count.crushed}});
+  };
+  const std::vector<output::FailureCount> by_phase = output::failures_by_phase(record);
+  for (const output::FailureCount& count : by_phase) add(count);
+  if (!record.scene.extra_points.empty()) add(output::failures_of_extra_points(record, by_phase));
+  return rows;
+}
+
+json pictures_of(const mpm::Result& result) {
+  json pictures = json::array();
+  for (const output::DamageStage& stage : output::damage_stages(result).drawn)
+    pictures.push_back({{"file", output::picture_name(stage.percent, false)},
+                        {"colour_file", output::picture_name(stage.percent, true)},
+                        {"percent_of_peak_strain", stage.percent},
+                        {"strain", stage.strain},
+                        {"tension_failures", stage.tension},
+                        {"shear_failures", stage.shear}});
+  return pictures;
+}
+
+json specimen_of(const specimen::Specimen& specimen) {
+  json fractions = json::object();
+  for (const auto& [phase, share] : output::phase_shares(specimen.mask)) fractions[phase] = share;
+  return {{"rows", specimen.mask.labels.rows},
+          {"cols", specimen.mask.labels.cols},
+          {"pixel_size_m", specimen.mask.pixel_size},
+          {"width_m", specimen.mask.width()},
+          {"height_m", specimen.mask.height()},
+          {"inclusions", specimen.inclusions.size()},
+          {"phase_fractions", fractions},
+          {"source", specimen.provenance.source},
+          {"source_sha256", specimen.provenance.sha256},
+          {"seed", specimen.provenance.seed}};
+}
+
+json setting_of(const mpm::Scene& scene) {
+  return {{"direction", output::word_of(scene.loading.direction)},
+          {"platen", output::word_of(scene.loading.platen)},
+          {"velocity_m_per_s", scene.loading.velocity},
+          {"plane", output::word_of(scene.plane)},
+          {"seed", scene.damage.seed},
+          {"crack_closure", output::word_of(scene.damage.crack_closure)},
+          {"precision", output::word_of(scene.precision)},
+          {"threads", scene.threads}};
+}
+
+json figures_of(const mpm::Result& result) {
+  const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
+  return {{"peak_stress_Pa", result.peak_stress},
+          {"peak_strain", result.peak_strain},
+          {"secant_modulus_Pa", output::secant_modulus(result)},
+          {"end_strain", end.strain},
+          {"end_stress_Pa", end.stress},
+          {"tension_failures", result.tension_failures},
+          {"shear_failures", result.shear_failures},
+          {"points", result.points},
+          {"steps", result.steps},
+          {"dt_s", result.dt},
+          {"wall_s", result.wall_time},
+          {"point_updates_per_s", result.point_updates_per_second()},
+          {"energy_error", result.energy_error},
+          {"instruction_set", result.instruction_set},
+          {"stop_reason", output::word_of(result.stop)}};
+}
+
+}  // namespace
+
+json summary(const RunRecord& record) {
+  json all = figures_of(record.result);
+  all.update(setting_of(record.scene));
+  all["specimen"] = specimen_of(record.specimen);
+  all["failures_by_phase"] = failures_of(record);
+  all["damage_pictures"] = pictures_of(record.result);
+  all["notes"] = output::all_notes(record);
+  all["title"] = record.title;
+  all["scene_hash"] = record.scene_hash;
+  all["version"] = output::version();
+  return all;
+}

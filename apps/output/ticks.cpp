@@ -1,0 +1,48 @@
+#include "apps/output/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/output/text.hpp"
+
+namespace output {
+namespace {
+
+/// Smallest of 1, 2, 5 times a power of ten that is not below a width.
+double round_up(double width) {
+  const double power = std::pow(10.0, std::floor(std::log10(width)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= width * (1 - 1e-9)) return factor * power;
+  return 10 * power;
+}
+
+std::vector<double> multiples(double step, double low, double high) {
+  std::vector<double> values;
+  const double slack = 1e-9 * (high - low);
+  for (double k = std::ceil((low - slack) / step); k * step <= high + slack; ++k) values.push_back(k * step);
+  return values;
+}
+
+}  // namespace
+
+Ticks ticks_between(double low, double high, int at_most) {
+  double step = round_up((high - low) / at_most);
+  std::vector<double> values = multiples(step, low, high);
+  while (static_cast<int>(values.size()) > at_most) {
+    step = round_up(step * 1.5);
+    values = multiples(step, low, high);
+  }
+  return {step, values};
+}
+
+std::string tick_text(double value, double step) {
+  if (value == 0) return "0";
+  const int decimals = -static_cast<int>(std::floor(std::log10(step) + 1e-9));
+  if (decimals > 4 || decimals < -7) {
+    const int digits = 1 + static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9)) + decimals;
+    return rounded(value, std::max(1, digits));
+  }
+  return with_decimals(value, std::max(0, decimals));
+}
+
+}  // namespace output

@@ -1,0 +1,74 @@
+#include "apps/run_folder.hpp"
+
+#include <string_view>
+
+#include "apps/output/chart_layout.hpp"
+#include "apps/output/curve_csv.hpp"
+#include "apps/output/damage_picture.hpp"
+#include "apps/output/damage_stages.hpp"
+#include "apps/output/picture_scale.hpp"
+#include "apps/output/png.hpp"
+#include "apps/output/report.hpp"
+#include "apps/output/run_charts.hpp"
+#include "libmpm/error.hpp"
+#include "libmpm/replace_file.hpp"
+#include "libmpm/result_file.hpp"
+#include "specimen/preview.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void create_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw mpm::FileError(folder.string(), "cannot be created: " + error.message(), "",
+                         "choose a folder that may be written to");
+}
+
+void write_text(const fs::path& path, std::string_view text) { mpm::replace_file(path.string(), text); }
+
+/// Magnified by a whole factor, so that small masks can be looked at.
+void write_picture(const fs::path& path, const specimen::Raster<specimen::Rgb>& picture, double pixel_size) {
+  const int factor = output::file_magnification(picture.rows, picture.cols);
+  specimen::write_png(path.string(), output::magnified(picture, factor), pixel_size / factor);
+}
+
+/// Of an earlier run in the same folder, which may have gone farther.
+void remove_pictures(const fs::path& folder, const std::vector<int>& percents) {
+  for (const int percent : percents)
+    for (const bool colour : {false, true}) {
+      std::error_code ignored;  // there is nothing to remove in a new folder
+      fs::remove(folder / output::picture_name(percent, colour), ignored);
+    }
+}
+
+void write_damage(const fs::path& folder, const RunRecord& record) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  const output::DamageStages stages = output::damage_stages(record.result);
+  remove_pictures(folder, stages.missing);
+  for (const bool colour : {false, true}) {
+    const output::Palette palette = colour ? output::colour_palette() : output::grey_palette();
+    for (const output::DamageStage& stage : stages.drawn)
+      write_picture(folder / output::picture_name(stage.percent, colour),
+                    output::damage_picture(mask, record.result, stage.strain, palette), mask.pixel_size);
+  }
+}
+
+}  // namespace
+
+void write_run(const fs::path& folder, const RunRecord& record) {
+  create_folder(folder);
+  mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml);
+  write_text(folder / "curve.csv", output::curve_csv(record.result.history));
+  write_text(folder / "summary.json",
+             summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_text(folder / "scene.toml", record.scene_toml);
+  write_text(folder / "curve.png",
+             output::png_of(output::lay_out(output::stress_chart(record), 640, 400), 2.5));
+  write_picture(folder / "specimen.png", specimen::preview(record.specimen.mask),
+                record.specimen.mask.pixel_size);
+  write_damage(folder, record);
+  write_text(folder / "report.html", output::report_html(record));
+}

@@ -1,0 +1,43 @@
+/// What a run leaves on disk: one folder that explains itself.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "libmpm/result.hpp"
+#include "libmpm/scene.hpp"
+#include "specimen/specimen.hpp"
+
+/// A finished run, as the files of its folder need it.
+struct RunRecord {
+  const specimen::Specimen& specimen;  ///< what was broken; its mask has the shape of the scene's labels
+  const mpm::Scene& scene;             ///< as it was solved
+  const mpm::Result& result;
+  std::string scene_toml;          ///< the resolved scene, every default written out
+  std::string scene_hash;          ///< SHA-256 of scene_toml, lower-case hexadecimal
+  std::string title;               ///< the user's own words; escaped wherever it is shown
+  std::vector<std::string> notes;  ///< what was guessed or cut short, one sentence each
+};
+
+/// Write a run folder, creating it where it is missing:
+///   curve.csv      history, SI units in the names of the columns
+///   result.h5      history, failure maps and scalars (mpm::write_result)
+///   summary.json   summary() of the run
+///   scene.toml     the resolved scene
+///   specimen.png   preview of the mask
+///   damage_025.png ... damage_150.png            damage at 25 ... 150 % of the peak strain, in greys
+///   damage_025_colour.png ... damage_150_colour.png   the same over the colours of the phases
+///   curve.png      stress against strain
+///   report.html    all of it on one page that needs no network
+/// A damage picture beyond the strain that the run reached is left out, and report and summary say so.
+/// Every file is written to a temporary name beside it, then renamed: no half-written file carries a final
+/// name. Files of an earlier run of the same names are replaced; damage pictures that this run has not are
+/// removed.
+/// @throws specimen::Error (Fault::write) or mpm::FileError when the disk fails, naming the file.
+void write_run(const std::filesystem::path& folder, const RunRecord& record);
+
+/// Key figures of a run in SI units, as summary.json holds them; figures that are not finite are null in
+/// its text.
+[[nodiscard]] nlohmann::json summary(const RunRecord& record);

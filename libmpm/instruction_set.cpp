@@ -1,0 +1,38 @@
+#include "libmpm/instruction_set.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include "libmpm/error.hpp"
+
+namespace mpm {
+
+std::vector<const kernels::Kernels*> available_kernels() {
+  std::vector<const kernels::Kernels*> available;
+#ifdef __x86_64__
+  // x86-64-v4 and x86-64-v3, by the features that the compiler may use in them.
+  const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                  __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                  __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                  __builtin_cpu_supports("avx512vl");
+  if (v4) available.push_back(&kernels::avx512);
+  if (v3) available.push_back(&kernels::avx2);
+#endif
+  available.push_back(&kernels::baseline);
+  return available;
+}
+
+const kernels::Kernels& chosen_kernels() {
+  const auto available = available_kernels();
+  const char* wanted = std::getenv("MESOPIX_INSTRUCTION_SET");
+  if (wanted == nullptr || *wanted == '\0') return *available.front();
+  std::string names;
+  for (const auto* kernels : available) {
+    if (std::string_view(wanted) == kernels->name) return *kernels;
+    names += (names.empty() ? "" : ", ") + std::string(kernels->name);
+  }
+  throw Error("MESOPIX_INSTRUCTION_SET", wanted, "this processor runs " + names);
+}
+
+}  // namespace mpm

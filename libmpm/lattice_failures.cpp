@@ -1,0 +1,160 @@
+// The slow path beside the sweeps: points that the fast test suspects, and the extra points.
+#include <cmath>
+
+#include "libmpm/lattice_solver.hpp"
+#include "libmpm/strength.hpp"
+
+namespace mpm {
+
+template <class Real>
+CellDisplacement LatticeSolver<Real>::displacement(int row, int cell) const {
+  const auto lower = static_cast<std::size_t>(grid_.at(row, cell));
+  const auto upper = static_cast<std::size_t>(grid_.at(row + 1, cell));
+  return {{grid_.ux[lower], grid_.ux[lower + 1], grid_.ux[upper], grid_.ux[upper + 1]},
+          {grid_.uy[lower], grid_.uy[lower + 1], grid_.uy[upper], grid_.uy[upper + 1]}};
+}
+
+/// Displacements at the end of the step before.
+template <class Real>
+CellDisplacement LatticeSolver<Real>::displacement_before(int row, int cell) const {
+  CellDisplacement u = displacement(row, cell);
+  for (int node = 0; node < 4; ++node) {
+    const auto at = static_cast<std::size_t>(grid_.at(row + node / 2, cell + node % 2));
+    u.ux[node] -= plan_.dt * grid_.vx[at];
+    u.uy[node] -= plan_.dt * grid_.vy[at];
+  }
+  return u;
+}
+
+/// Elastic stress of a phase at a place of a cell, now and a step before [Pa].
+template <class Real>
+typename LatticeSolver<Real>::StepStress LatticeSolver<Real>::stress_at(const Eigen::Matrix3d& c, int row,
+                                                                        int cell, double xi,
+                                                                        double eta) const {
+  return {stress_in_cell(c, displacement(row, cell), xi, eta, plan_.cell_size),
+          stress_in_cell(c, displacement_before(row, cell), xi, eta, plan_.cell_size)};
+}
+
+template <class Real>
+bool LatticeSolver<Real>::fail_suspects(Band& band, int row, double strain) {
+  bool any = false;
+  for (int cell = 0; cell < plan_.cells_x; ++cell) {
+    if (band.suspects[static_cast<std::size_t>(cell)] == 0) continue;
+    for (int plane = 0; plane < points_.planes; ++plane) any |= fail_point(band, row, plane, cell, strain);
+  }
+  return any;
+}
+
+/// Ends or cracks the point if its phase says so; returns whether it did.
+template <class Real>
+bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, double strain) {
+  const std::size_t at = points_.at(row, plane, cell);
+  if (points_.tension[at] >= kernels::unreachable && points_.crush[at] >= kernels::unreachable) return false;
+  const int k = scene_.points_per_cell;
+  const auto pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
+  const int pixel_col = cell * k + plane % k;
+  const Phase& phase = *scene_.phases[scene_.labels(pixel_row, pixel_col)];
+  const StepStress elastic =
+      stress_at(stiffness(phase, scene_.plane), row, cell, (plane % k + 0.5) / k, (plane / k + 0.5) / k);
+  const bool cracked = plan_.features.crack_closure && points_.cracked[at] > 0;
+  const double factor =
+      strength_factor(pixel_random(scene_.damage.seed, pixel_row, pixel_col), phase.weibull_modulus);
+  const PointState state{&phase, factor, cracked ? scene_.damage.crack_closure : CrackClosure::off};
+  const FailureMode mode = judge(state, elastic.now, scene_.plane);
+  if (mode == FailureMode::none) return false;
+
+  const double share = shares_.size() > 0 ? 1.0 / shares_(pixel_row, pixel_col) : 1.0;
+  count(band, mode);
+  row_released_[static_cast<std::size_t>(row)] += share * released_energy(state, elastic, mode);
+  points_.tension[at] = kernels::unreachable;
+  if (plan_.features.crack_closure && mode == FailureMode::tension) {
+    points_.cracked[at] = 1;
+    points_.crush[at] = stored_threshold(shear_onset(phase, factor, 0), threshold_scale(plan_, phase, share));
+  } else {
+    points_.crush[at] = kernels::unreachable;
+    const auto kept = static_cast<Real>(scene_.damage.residual_stiffness);
+    points_.stiffness[at] *= kept;
+    if (!points_.shear.empty()) points_.shear[at] *= kept;
+    if (!points_.cracked.empty()) points_.cracked[at] = 0;
+  }
+  if (cracked) {
+    crush_strain_(pixel_row, pixel_col) = static_cast<float>(strain);
+  } else {
+    failure_strain_(pixel_row, pixel_col) = static_cast<float>(strain);
+    failure_mode_(pixel_row, pixel_col) = static_cast<std::uint8_t>(mode);
+  }
+  return true;
+}
+
+template <class Real>
+void LatticeSolver<Real>::count(Band& band, FailureMode mode) {
+  ++(mode == FailureMode::tension ? band.tension_failures : band.shear_failures);
+}
+
+/// Energy that a whole pixel loses when it fails [J/m]. With the strain of the step before on one side of the
+/// product, 1/2 u_(n-1) . dK . u_n, the ledger of the symplectic step closes to rounding.
+template <class Real>
+double LatticeSolver<Real>::released_energy(const PointState& point, const StepStress& elastic,
+                                            FailureMode mode) const {
+  const auto power = [&](const Stress<double>& stress) {
+    return stress_power(*point.phase, scene_.plane, stress, elastic.before);
+  };
+  PointState after = point;
+  const bool closes = plan_.features.crack_closure && mode == FailureMode::tension;
+  after.crack = closes ? scene_.damage.crack_closure : CrackClosure::off;
+  const double kept = closes ? 1.0 : scene_.damage.residual_stiffness;
+  const double lost = power(carried_stress(point, elastic.now, scene_.plane)) -
+                      kept * power(carried_stress(after, elastic.now, scene_.plane));
+  return 0.5 * lost * scene_.pixel_size * scene_.pixel_size;
+}
+
+template <class Real>
+void LatticeSolver<Real>::sweep_extra_points(Band& band, int row, const kernels::NodeForces<Real>& lower,
+                                             const kernels::NodeForces<Real>& upper, double strain) {
+  const auto begin = extra_.row_begin[static_cast<std::size_t>(row)];
+  const auto end = extra_.row_begin[static_cast<std::size_t>(row) + 1];
+  for (std::size_t i = begin; i < end; ++i) {
+    CellPoint& point = extra_.points[i];
+    const Stress<double> elastic =
+        stress_in_cell(point.stiffness, displacement(row, point.cell), point.xi, point.eta, plan_.cell_size);
+    if (point.kept == 1) fail_extra_point(band, row, point, elastic, strain);
+    const Stress<double> stress = carried_stress(point.state, elastic, scene_.plane);
+    const CellForces f =
+        forces_in_cell(stress, point.xi, point.eta, point.share * point.kept * plan_.cell_size);
+    const int cell = point.cell;
+    lower.left_x[cell] += static_cast<Real>(f.x[0]);
+    lower.right_x[cell] += static_cast<Real>(f.x[1]);
+    upper.left_x[cell] += static_cast<Real>(f.x[2]);
+    upper.right_x[cell] += static_cast<Real>(f.x[3]);
+    lower.left_y[cell] += static_cast<Real>(f.y[0]);
+    lower.right_y[cell] += static_cast<Real>(f.y[1]);
+    upper.left_y[cell] += static_cast<Real>(f.y[2]);
+    upper.right_y[cell] += static_cast<Real>(f.y[3]);
+  }
+}
+
+template <class Real>
+void LatticeSolver<Real>::fail_extra_point(Band& band, int row, CellPoint& point,
+                                           const Stress<double>& elastic, double strain) {
+  const FailureMode mode = judge(point.state, elastic, scene_.plane);
+  if (mode == FailureMode::none) return;
+  count(band, mode);
+  row_released_[static_cast<std::size_t>(row)] +=
+      point.share *
+      released_energy(point.state, stress_at(point.stiffness, row, point.cell, point.xi, point.eta), mode);
+  if (point.state.crack == CrackClosure::off) {
+    extra_.failure_strain[point.index] = static_cast<float>(strain);
+    extra_.failure_mode[point.index] = static_cast<std::uint8_t>(mode);
+  }
+  if (plan_.features.crack_closure && mode == FailureMode::tension) {
+    point.state.crack = scene_.damage.crack_closure;
+  } else {
+    point.state.crack = CrackClosure::off;
+    point.kept = scene_.damage.residual_stiffness;
+  }
+}
+
+template class LatticeSolver<float>;
+template class LatticeSolver<double>;
+
+}  // namespace mpm

@@ -1,0 +1,133 @@
+/// Small strain on the fixed lattice of pixels: points keep their place in their cell, so that weights are
+/// constants and the stress of a live point is C : strain(u), which need not be stored.
+#pragma once
+
+#include <array>
+#include <barrier>
+#include <cstdint>
+#include <vector>
+
+#include "libmpm/extra_points.hpp"
+#include "libmpm/grid.hpp"
+#include "libmpm/lattice_points.hpp"
+#include "libmpm/plan.hpp"
+#include "libmpm/result.hpp"
+#include "libmpm/scene.hpp"
+
+namespace mpm {
+
+/// What a stretch of steps ends with, for the history. Forces are those on the specimen, up is positive.
+struct Ledger {
+  double platen_displacement = 0;  ///< [m], its amount
+  double force_top = 0;            ///< [N/m]
+  double force_bottom = 0;         ///< [N/m]
+  double platen_work = 0;          ///< [J/m]
+  double kinetic = 0;              ///< [J/m]
+  double elastic = 0;              ///< [J/m]
+  double released = 0;             ///< [J/m]
+  double damped = 0;               ///< [J/m]
+  std::int64_t tension_failures = 0;
+  std::int64_t shear_failures = 0;
+  std::int64_t diverged_at = -1;  ///< step at which a reaction stopped being a number; -1 = none did
+};
+
+template <class Real>
+class LatticeSolver {
+ public:
+  /// The scene and the plan must outlive the solver.
+  LatticeSolver(const Scene& scene, const Plan& plan);
+
+  /// Take `steps` time steps (>= 1) on all threads; the ledger is that of the last of them.
+  [[nodiscard]] Ledger advance(std::int64_t steps);
+
+  /// Failure maps so far, moved out.
+  void take_maps(Result& result);
+
+ private:
+  /// Forces on the two rows of nodes of a row of cells, with a zero in front that belongs to no cell.
+  struct ForceBuffer {
+    AlignedVector<Real> values;
+    std::ptrdiff_t length = 0;
+    void resize(std::ptrdiff_t cells);
+    [[nodiscard]] kernels::NodeForces<Real> forces();
+    [[nodiscard]] kernels::NodeForces<const Real> forces() const;
+  };
+
+  /// The rows of cells of one thread. Its lowest row of nodes is shared with the band below.
+  struct Band {
+    int begin = 0, end = 0;            ///< rows of cells
+    std::array<ForceBuffer, 2> upper;  ///< of the row at hand and of the one below it, in turn
+    ForceBuffer lower;                 ///< of the row at hand
+    ForceBuffer first_lower;           ///< of the lowest row, kept until the band below is done
+    AlignedVector<kernels::Flag<Real>> suspects;
+    std::int64_t tension_failures = 0, shear_failures = 0;
+  };
+
+  /// Where the platen stands; every thread keeps its own, they are equal.
+  struct Clock {
+    std::int64_t step = 0;     ///< number of the step, from 1
+    double displacement = 0;   ///< of the top platen at the beginning of the step, upwards positive [m]
+    double velocity = 0;       ///< in the step before [m/s]
+    double next_velocity = 0;  ///< in the step [m/s]
+  };
+
+  /// What a platen does to the specimen.
+  struct Reaction {
+    double force = 0;               ///< upwards positive [N/m]
+    double work = 0;                ///< [J/m]
+    std::int64_t diverged_at = -1;  ///< first step in which the force was no number; -1 = none
+  };
+
+  /// Stress now and at the end of the step before [Pa].
+  struct StepStress {
+    Stress<double> now, before;
+  };
+
+  void make_bands();
+  void make_maps();
+  void find_pinned_node();
+  Clock run_band(std::size_t index, Clock clock, std::int64_t steps, std::barrier<>& barrier);
+  void advance_clock(Clock& clock) const;
+  void sweep_band(Band& band, const Clock& clock, bool ledger);
+  [[nodiscard]] const ForceBuffer& last_upper(const Band& band) const;
+  void sweep_cell_row(Band& band, int row, ForceBuffer& lower, ForceBuffer& upper, double strain);
+  void sweep_node_row(int row, const ForceBuffer& below, const ForceBuffer& above, bool ledger);
+  void sweep_platen_row(int row, const ForceBuffer& below, const ForceBuffer& above, const Clock& clock);
+  void record_reaction(bool top, double reaction, const Clock& clock);
+  [[nodiscard]] Ledger balance() const;
+
+  [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
+  [[nodiscard]] CellDisplacement displacement_before(int row, int cell) const;
+  [[nodiscard]] StepStress stress_at(const Eigen::Matrix3d& c, int row, int cell, double xi,
+                                     double eta) const;
+  bool fail_suspects(Band& band, int row, double strain);
+  bool fail_point(Band& band, int row, int plane, int cell, double strain);
+  static void count(Band& band, FailureMode mode);
+  [[nodiscard]] double released_energy(const PointState& point, const StepStress& elastic,
+                                       FailureMode mode) const;
+  void sweep_extra_points(Band& band, int row, const kernels::NodeForces<Real>& lower,
+                          const kernels::NodeForces<Real>& upper, double strain);
+  void fail_extra_point(Band& band, int row, CellPoint& point, const Stress<double>& elastic, double strain);
+
+  const Scene& scene_;
+  const Plan& plan_;
+  Grid grid_;
+  LatticePoints<Real> points_;
+  ExtraPoints extra_;
+  Lattice<std::uint16_t> shares_;   ///< points a pixel; empty when there are no extra points
+  Eigen::Matrix3d unit_stiffness_;  ///< of a phase with E = 1 and the plan's Poisson ratio [-]
+  kernels::SweepCells<Real> sweep_cells_;
+  kernels::SweepNodes<Real> sweep_nodes_;
+  kernels::SweepNodes<Real> sweep_nodes_ledger_;
+  ForceBuffer no_force_;
+  std::vector<Band> bands_;
+  std::vector<kernels::NodeSums> row_sums_;
+  std::vector<double> row_released_, row_damped_;  ///< [J/m]
+  int pinned_ = 0;                                 ///< column of the node that a smooth bottom platen holds
+  Clock clock_;
+  Reaction top_, bottom_;
+  Lattice<float> failure_strain_, crush_strain_;
+  Lattice<std::uint8_t> failure_mode_;
+};
+
+}  // namespace mpm

@@ -1,0 +1,88 @@
+#include "libmpm/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "libmpm/error.hpp"
+
+namespace mpm {
+namespace {
+
+/// The phases of which the scene holds at least one point.
+std::vector<const Phase*> phases_present(const Scene& scene) {
+  std::array<bool, 256> used{};
+  for (const auto label : scene.labels.reshaped()) used[label] = true;
+  for (const auto& point : scene.extra_points) used[point.phase] = true;
+  std::vector<const Phase*> present;
+  for (std::size_t label = 0; label < scene.phases.size(); ++label)
+    if (used[label] && scene.phases[label]) present.push_back(&*scene.phases[label]);
+  return present;
+}
+
+kernels::Check check_needed(const std::vector<const Phase*>& phases) {
+  const auto any = [&](auto property) { return std::any_of(phases.begin(), phases.end(), property); };
+  if (any([](const Phase* phase) { return phase->can_shear(); })) return kernels::Check::tension_and_shear;
+  if (any([](const Phase* phase) { return phase->can_crack(); })) return kernels::Check::tension;
+  return kernels::Check::none;
+}
+
+kernels::Features features_needed(const Scene& scene, const std::vector<const Phase*>& phases) {
+  kernels::Features features;
+  features.points_per_cell = scene.points_per_cell;
+  // Kernels for one Poisson's ratio exist for the usual 2 x 2 points a cell.
+  features.one_poisson_ratio =
+      scene.points_per_cell == 2 && std::all_of(phases.begin(), phases.end(), [&](const Phase* phase) {
+        return phase->poisson == phases.front()->poisson;
+      });
+  features.check = check_needed(phases);
+  // A crack that never opens needs no closing.
+  features.crack_closure =
+      scene.damage.crack_closure != CrackClosure::off && features.check != kernels::Check::none;
+  features.damping = scene.local_damping > 0;
+  return features;
+}
+
+/// Steps until the platen has moved to stop_strain, the ramp included: its mean velocity is half the full
+/// one.
+std::int64_t steps_needed(const Scene& scene, const Plan& plan) {
+  const double time = scene.loading.stop_strain * scene.height() / scene.loading.velocity;
+  const double steps = std::ceil((time + 0.5 * std::min(plan.ramp_time, 2 * time)) / plan.dt);
+  if (!(steps < 1e12))
+    throw Error("loading.velocity", std::to_string(scene.loading.velocity) + " m/s",
+                "the run would need more than 1e12 steps", "load faster, or stop at a smaller strain");
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
+}
+
+}  // namespace
+
+Plan plan(const Scene& scene) {
+  validate(scene);
+  const auto phases = phases_present(scene);
+  Plan plan;
+  plan.cells_x = static_cast<int>(scene.labels.cols()) / scene.points_per_cell;
+  plan.cells_y = static_cast<int>(scene.labels.rows()) / scene.points_per_cell;
+  plan.cell_size = scene.pixel_size * scene.points_per_cell;
+  double slowest = Phase::unbreakable;
+  for (const Phase* phase : phases) {
+    const double speed = wave_speed(*phase, scene.plane);
+    plan.wave_speed = std::max(plan.wave_speed, speed);
+    slowest = std::min(slowest, speed);
+  }
+  plan.dt = scene.cfl * plan.cell_size / plan.wave_speed;
+  plan.ramp_time = scene.loading.ramp_time < 0 ? 2 * scene.height() / slowest : scene.loading.ramp_time;
+  plan.features = features_needed(scene, phases);
+  plan.poisson = phases.front()->poisson;
+  plan.steps = steps_needed(scene, plan);
+  plan.steps_per_row = std::max<std::int64_t>(1, plan.steps / scene.history_rows);
+  return plan;
+}
+
+double ramp(const Plan& plan, double time) {
+  if (time >= plan.ramp_time) return 1;
+  const double x = time / plan.ramp_time;
+  return x * x * (3 - 2 * x);
+}
+
+}  // namespace mpm

@@ -1,0 +1,47 @@
+/// Stress in the plane, for the sweeps and for the slow path beside them.
+/// Always inlined, so that no copy compiled for one instruction set is ever called from another.
+#pragma once
+
+namespace mpm {
+
+template <class Real>
+struct Stress {
+  Real xx = 0, yy = 0, xy = 0;
+};
+
+__attribute__((always_inline)) inline float square_root(float value) { return __builtin_sqrtf(value); }
+__attribute__((always_inline)) inline double square_root(double value) { return __builtin_sqrt(value); }
+
+/// Stress of a cracked point that still carries compression: the material without tensile strength, which is
+/// the elastic stress less that of a crack strain that opens only across a crack. The first principal stress
+/// is clipped at zero; the second loses what Poisson's effect of the opening put into it, and is clipped as
+/// well. Directions stay.
+/// @param lateral  stress that a unit stress raises at right angles to it when strain there is held [-]:
+///                 nu / (1 - nu) in plane strain, nu in plane stress. With 0 the principal stresses are
+///                 clipped and no more, which has no potential.
+/// Source: Del Piero, Meccanica 24 (1989), constitutive equation of masonry-like materials.
+template <class Real>
+__attribute__((always_inline)) inline Stress<Real> without_tension(const Stress<Real>& s, Real lateral) {
+  const Real half = Real(0.5);
+  const Real zero = Real(0);
+  const Real mean = half * (s.xx + s.yy);
+  const Real deviator = half * (s.xx - s.yy);
+  const Real radius = square_root(deviator * deviator + s.xy * s.xy);
+  const Real opening = mean + radius > zero ? mean + radius : zero;
+  const Real first = mean + radius - opening;
+  const Real rest = mean - radius - lateral * opening;
+  const Real second = rest < zero ? rest : zero;
+  const Real new_mean = half * (first + second);
+  const Real ratio = half * (first - second) / (radius > zero ? radius : Real(1));
+  return {new_mean + deviator * ratio, new_mean - deviator * ratio, s.xy * ratio};
+}
+
+/// Stress of an isotropic phase. lame [Pa], shear [Pa]; gxy is the engineering shear strain.
+template <class Real>
+__attribute__((always_inline)) inline Stress<Real> elastic_stress(Real lame, Real shear, Real exx, Real eyy,
+                                                                  Real gxy) {
+  const Real volumetric = lame * (exx + eyy);
+  return {volumetric + 2 * shear * exx, volumetric + 2 * shear * eyy, shear * gxy};
+}
+
+}  // namespace mpm

@@ -1,0 +1,44 @@
+#include "specimen/placement.hpp"
+
+#include <cmath>
+
+namespace specimen {
+
+bool clear_of_walls(const Ellipse& e, const Room& room) {
+  const Point half = half_extent(e);
+  return e.x - half.x >= room.gap && room.width - (e.x + half.x) >= room.gap && e.y - half.y >= room.gap &&
+         room.height - (e.y + half.y) >= room.gap;
+}
+
+double cell_for(const Room& room, std::size_t count) {
+  return std::sqrt(room.width * room.height / static_cast<double>(count + 1));
+}
+
+Placement::Placement(const Room& room, std::size_t count)
+    : room_(room), grid_(room.width, room.height, cell_for(room, count)) {}
+
+bool Placement::has_room_for(const Ellipse& e) const {
+  if (!clear_of_walls(e, room_)) return false;
+  const Body body = body_of(e);
+  return grid_.visit_near(box_round(body, room_.gap / 2), [&](int other) {
+    return test_gap(body, bodies_[static_cast<std::size_t>(other)], room_.gap).separated;
+  });
+}
+
+void Placement::place(const Ellipse& e) {
+  bodies_.push_back(body_of(e));
+  grid_.add(box_round(bodies_.back(), room_.gap / 2));
+}
+
+std::vector<Ellipse> without_collisions(const std::vector<Ellipse>& ellipses, const Room& room) {
+  Placement placement(room, ellipses.size());
+  std::vector<Ellipse> kept;
+  for (const Ellipse& e : ellipses) {
+    if (!placement.has_room_for(e)) continue;
+    placement.place(e);
+    kept.push_back(e);
+  }
+  return kept;
+}
+
+}  // namespace specimen
