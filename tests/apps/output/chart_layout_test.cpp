@@ -62,6 +62,7 @@ TEST(ChartLayout, PutsLargerValuesHigherAndFartherRight) {
   const Stroke line = data_line(lay_out(two_lines(), 600, 400), Ink::first);
   ASSERT_EQ(line.places.size(), 3U);
   EXPECT_LT(line.places[0].x, line.places[1].x);
+  EXPECT_GT(line.places[0].y, line.places[1].y);  // y points down
   EXPECT_NEAR(line.places[2].x - line.places[1].x, line.places[1].x - line.places[0].x, 1e-9);
   EXPECT_NEAR((line.places[0].y - line.places[1].y) / 2, line.places[1].y - line.places[2].y, 1e-9);
 }

@@ -59,6 +59,7 @@ TEST(Summary, ListsThePicturesThatWereDrawnAndThoseThatWereNot) {
   ASSERT_EQ(figures["damage_pictures"].size(), 4U);
   EXPECT_EQ(figures["damage_pictures"][3]["file"], "damage_100.png");
   EXPECT_EQ(figures["damage_pictures"][3]["strain"], 144e-6);
+  ASSERT_FALSE(figures["notes"].empty());
   EXPECT_THAT(figures["notes"].back().get<std::string>(), testing::HasSubstr("125 % and 150 %"));
 }
 
