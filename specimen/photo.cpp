@@ -111,7 +111,7 @@ double share_near(const Tally& tally, const std::vector<Position>& centres, doub
 /// @return nothing when more than 12 would be needed, or when the samples do not crowd round them: a
 /// photograph fills the space between.
 std::optional<std::vector<Position>> flat_colours(const std::vector<Lab>& colours) {
-  constexpr double reach = 5, least_share = 0.002;
+  constexpr double reach = 5, least_share = 0.005;
   constexpr std::size_t most = 12;
   Tally all;
   for (const Lab c : colours) ++all[lab_of(c)];
@@ -122,7 +122,7 @@ std::optional<std::vector<Position>> flat_colours(const std::vector<Lab>& colour
     if (taken.weight < least_share * static_cast<double>(colours.size())) break;
     centres.push_back(taken.at);
   }
-  if (centres.size() < 2 || share_near(all, centres, reach) < 0.98 ||
+  if (centres.size() < 2 || share_near(all, centres, reach) < 0.97 ||
       share_near(all, centres, reach / 2) < 0.9)
     return std::nullopt;
   return rising_lightness(centres);

@@ -101,7 +101,7 @@ Resampling choose_mask_size(int source_rows, int source_cols, int factor, int pi
   Resampling to{source_rows, source_cols, factor, 0, pixels};
   const double rows = source_rows / to.ratio();
   if (rows < 1.5)
-    throw Error("pixels", std::to_string(pixels) + " columns",
+    throw Error("convert.pixels", std::to_string(pixels) + " columns",
                 "leave " + std::to_string(rows) + " rows of a picture of " + std::to_string(source_cols) +
                     " x " + std::to_string(source_rows) + " pixels, and two are needed",
                 "ask for more columns");
