@@ -1,1 +1,14 @@
-int main() { return 0; }
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "apps/console.hpp"
+#include "apps/program.hpp"
+
+int main(int argc, char** argv) {
+  app::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) != 0, false, {}};
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  return static_cast<int>(app::run_program(arguments, console));
+}

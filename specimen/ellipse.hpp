@@ -24,7 +24,7 @@ struct Ellipse {
 
 /// True when the Euclidean gap between the two ellipses is at least `gap` [m] (gap >= 0).
 /// Source: maximum over directions of the separation of the support functions; one evaluation bounds it from
-/// below and above, so the answer is exact and needs 2.4 evaluations on average.
+/// below and above, so the answer is exact, at any aspect, and needs about two evaluations on average.
 [[nodiscard]] bool separated(const Ellipse& first, const Ellipse& second, double gap);
 
 /// Euclidean gap [m]; for overlapping ellipses minus the least translation that separates them.

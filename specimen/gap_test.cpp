@@ -1,7 +1,6 @@
 #include "specimen/gap_test.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -139,7 +138,7 @@ std::vector<Point> probe_directions(const Body& first, const Body& second) {
 
 // Largest width between two directions of which the width rises at the first and falls at the second.
 double widest_between(const Body& first, const Body& second, Arc arc) {
-  double best = -INFINITY;
+  double best = -infinite;
   for (int n = 0; n < 64; ++n) {
     const Point u = arc.middle();
     const Strip strip = strip_between(first, second, u);
@@ -154,7 +153,7 @@ double widest_between(const Body& first, const Body& second, Arc arc) {
 
 double exact_gap(const Body& first, const Body& second) {
   const std::vector<Point> directions = probe_directions(first, second);
-  double best = -INFINITY;
+  double best = -infinite;
   Point last = directions.back();
   Strip before = strip_between(first, second, last);
   for (const Point& u : directions) {

@@ -153,9 +153,21 @@ std::optional<Packing> try_to_pack(const PackingOptions& options) {
   return packing;
 }
 
+// A part of the specimen with so many aggregates that it tells for the whole, and no more.
+PackingOptions representative(PackingOptions options) {
+  constexpr double enough = 1000;
+  const double count = expected_count(options.grading, options.fraction * options.width * options.height);
+  const double shrink = std::sqrt(std::min(1.0, enough / count));
+  const double least_side = 4 * (options.grading.front().d_max + options.gap);
+  options.width = std::min(options.width, std::max(options.width * shrink, least_side));
+  options.height = std::min(options.height, std::max(options.height * shrink, least_side));
+  return options;
+}
+
 // Largest fraction found that the same options and seed can fill.
-double fraction_within_reach(PackingOptions options) {
-  double reached = 0, beyond = options.fraction;
+double fraction_within_reach(const PackingOptions& wanted) {
+  PackingOptions options = representative(wanted);
+  double reached = 0, beyond = wanted.fraction;
   for (int n = 0; n < 4; ++n) {
     options.fraction = n == 0 ? 0.75 * beyond : (reached + beyond) / 2;
     try {
@@ -171,8 +183,8 @@ double fraction_within_reach(PackingOptions options) {
   Random random(options.seed);
   const std::vector<Ellipse> wanted = draw_ellipses_to_fill(options, random);
   const double with_gaps = fraction_with_gaps(wanted, options);
-  std::string limit = "reached " + percent(fraction_within_reach(options)) + " with aggregates of " +
-                      millimetres(options.grading.back().d_min) + " to " +
+  std::string limit = "reached about " + percent(std::round(1000 * fraction_within_reach(options)) / 1000) +
+                      " with aggregates of " + millimetres(options.grading.back().d_min) + " to " +
                       millimetres(options.grading.front().d_max);
   if (options.gap > 0) {
     limit += "; with the gap of " + millimetres(options.gap) + " round them they need " + percent(with_gaps) +

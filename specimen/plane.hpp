@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "specimen/mask.hpp"
 
 namespace specimen {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 inline Point operator+(Point p, Point q) { return {p.x + q.x, p.y + q.y}; }
 inline Point operator-(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }

@@ -50,7 +50,7 @@ class Relaxer {
 
 Relaxer::Relaxer(std::vector<Ellipse>& ellipses, const Room& room)
     : ellipses_(ellipses), room_(room), grid_(room.width, room.height, cell_for(room, ellipses.size())) {
-  double thinnest = INFINITY;
+  double thinnest = infinite;
   for (const Ellipse& e : ellipses) {
     bodies_.push_back(body_of(e));
     ease_.push_back(1 / (e.a * e.b));
@@ -158,7 +158,7 @@ Relaxation Relaxer::run() {
   constexpr int window = 250;
   constexpr double least_progress = 0.95;
   Relaxation result;
-  double unrest_before = INFINITY;
+  double unrest_before = infinite;
   while (result.sweeps < most_sweeps()) {
     ++result.sweeps;
     if (sweep()) {

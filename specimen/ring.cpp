@@ -67,7 +67,7 @@ std::vector<Point> cut_contour(const std::vector<Point>& contour, int segments) 
 // The part of a row of pixels that lies within `thickness` of a segment. The region is convex, so the row
 // cuts it in one interval, which ends on one of the two caps or on one of the two long sides.
 struct Interval {
-  double left = INFINITY, right = -INFINITY;
+  double left = infinite, right = -infinite;
   void include(double x) {
     left = std::min(left, x);
     right = std::max(right, x);
@@ -155,9 +155,11 @@ void draw_rings(LabelledMask& mask, const Raster<std::int32_t>& instances, const
   if (!(thickness > 0) || !std::isfinite(thickness))
     throw Error("itz.thickness", millimetres(thickness), "must be > 0");
   if (instances.rows != mask.labels.rows || instances.cols != mask.labels.cols) {
-    const auto shape = [](int rows, int cols) { return std::to_string(cols) + " x " + std::to_string(rows); };
-    throw Error("instances", shape(instances.cols, instances.rows),
-                "must have the shape of the mask, " + shape(mask.labels.cols, mask.labels.rows) + " pixels");
+    const auto shape = [](const auto& raster) {
+      return std::to_string(raster.cols) + " x " + std::to_string(raster.rows);
+    };
+    throw Error("instances", shape(instances) + " pixels",
+                "must have the shape of the mask, " + shape(mask.labels) + " pixels");
   }
   std::unordered_set<std::int32_t> ids;
   for (const Ring& ring : rings) {

@@ -9,7 +9,7 @@ struct Rotation {
   double sin = 0;
 };
 
-/// Rotation by an angle [rad], to about one unit in the last place.
+/// Rotation by an angle [rad], to about one unit in the last place within a turn or two.
 /// The mathematical library picks its sine by processor, so two machines may differ in the last bit, and a
 /// packing that is relaxed over hundreds of sweeps magnifies that bit into another specimen. Only +, -, *
 /// and exact functions are used here.

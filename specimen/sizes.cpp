@@ -7,6 +7,7 @@
 #include <string>
 
 #include "specimen/error.hpp"
+#include "specimen/plane.hpp"
 #include "specimen/wording.hpp"
 
 namespace specimen {
@@ -56,7 +57,7 @@ void scale_within(std::vector<double>& diameters, double area, double low, doubl
   for (double& d : diameters) d = std::clamp(d * large, low, high);
 }
 
-[[noreturn]] void refuse_area(const std::vector<double>& diameters, double area, double d_min, double d_max) {
+[[noreturn]] void refuse_area(double area, double d_min, double d_max) {
   const std::string sizes = millimetres(d_min) + " to " + millimetres(d_max);
   const std::string wanted = number(area * 1e6) + " mm^2 of aggregate";
   if (area < disc_area(d_min)) {
@@ -65,8 +66,7 @@ void scale_within(std::vector<double>& diameters, double area, double low, doubl
                     number(disc_area(d_min) * 1e6) + " mm^2",
                 "raise the fraction or lower d_min");
   }
-  throw Error("generate.fraction", wanted,
-              std::to_string(diameters.size()) + " aggregates of " + sizes + " do not make up that area",
+  throw Error("generate.fraction", wanted, "no whole number of aggregates of " + sizes + " has that area",
               "widen the range of sizes or change the fraction");
 }
 
@@ -74,8 +74,8 @@ void scale_within(std::vector<double>& diameters, double area, double low, doubl
 
 void check(const Grading& grading) {
   if (grading.empty())
-    throw Error("generate.grading", "no size class", "must have at least one", "add d_min, d_max, share");
-  double sum = 0, above = INFINITY;
+    throw Error("generate.grading", "no size class", "must have at least one", "add d_min, d_max and share");
+  double sum = 0, above = infinite;
   for (const SizeClass& size : grading) {
     const std::string range = millimetres(size.d_min) + " to " + millimetres(size.d_max);
     if (!(size.d_min > 0) || !(size.d_max >= size.d_min) || !std::isfinite(size.d_max))
@@ -116,7 +116,7 @@ std::vector<double> draw_sizes(const Grading& grading, double area, Random& rand
     // an aggregate among many may be spread over all of them.
     constexpr double unnoticed = 0.05;
     const double factor = std::sqrt(area / total_area(diameters));
-    if (!(std::abs(factor - 1) < unnoticed)) refuse_area(diameters, area, d_min, d_max);
+    if (!(std::abs(factor - 1) < unnoticed)) refuse_area(area, d_min, d_max);
     for (double& d : diameters) d *= factor;
   }
   std::sort(diameters.begin(), diameters.end(), std::greater<>());

@@ -5,9 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
-
-#include "specimen/error.hpp"
 
 namespace specimen {
 namespace {

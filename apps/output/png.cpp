@@ -49,14 +49,12 @@ struct Draw {
     cairo_set_line_width(pen, stroke.width);
     cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(pen, dashes, stroke.dashed ? 2 : 0, 0);
-    cairo_new_path(pen);  // words leave their end as the current point
     for (const Place& place : stroke.places) cairo_line_to(pen, place.x, place.y);
     cairo_stroke(pen);
   }
 
   void operator()(const Dot& dot) const {
     dip(pen, dot.ink);
-    cairo_new_path(pen);
     cairo_arc(pen, dot.centre.x, dot.centre.y, dot.radius, 0, 2 * M_PI);
     cairo_fill(pen);
   }

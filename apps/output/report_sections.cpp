@@ -170,8 +170,9 @@ std::string ledger_section(const RunRecord& record) {
       "Energies and failures",
       side_by_side("even",
                    chart_figure(energy_chart(record), 480, 330,
-                                "The work that the platens put in is stored, set free by failing points, "
-                                "or moves the specimen."),
+                                std::string("The work that the platens put in is stored, set free by failing "
+                                            "points, or moves the specimen") +
+                                    (record.scene.local_damping > 0 ? ", or is damped away." : ".")),
                    chart_figure(failure_chart(record), 480, 330, "Points that have failed so far.")) +
           failure_table_html(record));
 }

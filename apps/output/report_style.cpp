@@ -87,7 +87,12 @@ blockquote { margin: 0 0 12px; padding: 2px 0 2px 16px; border-left: 3px solid v
   section { margin-top: 22px; }
   figure, tr, .notes { break-inside: avoid; }
   h2 { break-after: avoid; }
-  .wide { max-width: 560px; }
+  table { font-size: 10pt; }
+  th, td { padding: 3px 0; }
+  .pair { gap: 18px 28px; }
+  .pair.even { grid-template-columns: 1fr 1fr; }
+  .pair.fit { grid-template-columns: 220px 1fr; }
+  .wide { max-width: 520px; }
 }
 )css";
 

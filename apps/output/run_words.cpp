@@ -16,6 +16,18 @@ std::string word_of(mpm::Precision precision) {
   return precision == mpm::Precision::single ? "single" : "double";
 }
 
+std::string word_of(mpm::CrackClosure law) {
+  switch (law) {
+    case mpm::CrackClosure::off:
+      return "off";
+    case mpm::CrackClosure::clipped:
+      return "clipped";
+    case mpm::CrackClosure::unilateral:
+      return "unilateral";
+  }
+  return {};
+}
+
 std::string word_of(mpm::StopReason reason) {
   switch (reason) {
     case mpm::StopReason::strain:

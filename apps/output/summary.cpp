@@ -58,7 +58,7 @@ json setting_of(const mpm::Scene& scene) {
           {"velocity_m_per_s", scene.loading.velocity},
           {"plane", output::word_of(scene.plane)},
           {"seed", scene.damage.seed},
-          {"crack_closure", scene.damage.crack_closure},
+          {"crack_closure", output::word_of(scene.damage.crack_closure)},
           {"precision", output::word_of(scene.precision)},
           {"threads", scene.threads}};
 }

@@ -170,7 +170,7 @@ FakeRun compression_run(int pixels) {
   FakeRun run = run_of(pixels, 75.2e6, 2210e-6, 2210e-6 * 1.23, 0.4);
   run.scene.loading.direction = mpm::Direction::compression;
   run.scene.loading.platen = mpm::Platen::rough;
-  run.scene.damage.crack_closure = true;
+  run.scene.damage.crack_closure = mpm::CrackClosure::unilateral;
   run.scene.local_damping = 0.1;
   mpm::Result& result = run.result;
   result.stop = mpm::StopReason::drop;

@@ -1,0 +1,49 @@
+/// What every subcommand is.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/command_line.hpp"
+#include "apps/complaint.hpp"
+#include "apps/console.hpp"
+
+namespace app {
+
+class Command {
+ public:
+  virtual ~Command() = default;
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  [[nodiscard]] CLI::App& options() { return options_; }
+
+  /// Arguments behind the name of the subcommand, as they may be handed to the parser.
+  [[nodiscard]] virtual std::vector<std::string> prepare(const std::vector<std::string>& arguments) {
+    return arguments;
+  }
+
+  /// Do what the parsed options say.   @throws Rejected and the exceptions of the libraries.
+  virtual Exit run(Console& console) = 0;
+
+ protected:
+  Command(CLI::App& program, const std::string& name, const std::string& description,
+          const std::string& example)
+      : options_(*program.add_subcommand(name, description)) {
+    options_.formatter(help_formatter());
+    options_.footer(example);
+    options_.allow_extras();
+  }
+
+ private:
+  CLI::App& options_;
+};
+
+/// What an INPUT is, told by its first bytes and, for scenes, by its name.
+enum class InputKind { hdf5, scene, picture, folder };
+
+/// @throws Rejected (Exit::io) when there is nothing that can be read.
+[[nodiscard]] InputKind kind_of_input(const std::string& path);
+
+}  // namespace app

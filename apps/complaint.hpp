@@ -1,0 +1,70 @@
+/// What the program says when it cannot do what was asked, and how it exits then.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Exit codes, after sysexits.h.
+enum class Exit : int {
+  ok = 0,
+  usage = 64,        ///< the command line
+  data = 65,         ///< a scene, a picture, a specimen, or physics gone wrong
+  internal = 70,     ///< our own bug
+  io = 74,           ///< a file could not be read or written
+  interrupted = 75,  ///< ended by the user; what was computed is kept
+};
+
+/// Where in a file; line 0 = in the file as a whole, empty file = on the command line.
+struct Place {
+  std::string file;
+  int line = 0;    ///< 1, 2, ...
+  int column = 0;  ///< 1, 2, ...
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+[[nodiscard]] std::string text(const Place& place);  ///< "scene.toml:3:8"
+
+/// One mistake of the user. Its text is one line: "FILE:LINE:COL: field: value; allowed; cure", the empty
+/// parts left out.
+struct Complaint {
+  Place place;
+  std::string field;    ///< as the user wrote it: a key of the scene, or an option
+  std::string value;    ///< as the user wrote it
+  std::string allowed;  ///< what would have been accepted
+  std::string cure;     ///< what to try
+};
+
+[[nodiscard]] std::string text(const Complaint& complaint);
+
+/// A complaint about the command line, or about something that has no place in a file.
+[[nodiscard]] Complaint complaint(std::string field, std::string value, std::string allowed,
+                                  std::string cure = {});
+
+/// The command was refused: every complaint there is, and the exit code.
+struct Rejected : std::runtime_error {
+  Rejected(Exit exit_code, std::vector<Complaint> all);
+  Rejected(Exit exit_code, Complaint one) : Rejected(exit_code, std::vector{std::move(one)}) {}
+  Exit code;
+  std::vector<Complaint> complaints;
+};
+
+/// A value that a reader cannot accept; who knows the field and its place makes a Complaint of it.
+struct Mistake : std::runtime_error {
+  explicit Mistake(std::string what_is_allowed, std::string how_to_cure = {})
+      : std::runtime_error(what_is_allowed),
+        allowed(std::move(what_is_allowed)),
+        cure(std::move(how_to_cure)) {}
+  std::string allowed;
+  std::string cure;
+};
+
+/// Text in double quotes with control characters escaped, so that it stays on its line; also a TOML string.
+[[nodiscard]] std::string quoted(const std::string& text);
+
+/// Text without control characters (they become "?"), for what is shown as the user wrote it.
+[[nodiscard]] std::string printable(std::string text);
+
+}  // namespace app

@@ -1,0 +1,17 @@
+/// Ctrl-C ends a run in order.
+#pragma once
+
+namespace app {
+
+/// While it lives, SIGINT and SIGTERM are only noted; a second one ends the program at once.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  [[nodiscard]] bool interrupted() const;
+};
+
+}  // namespace app

@@ -1,0 +1,136 @@
+#include "apps/program.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <new>
+
+#include "apps/command_line.hpp"
+#include "apps/convert_command.hpp"
+#include "apps/generate_command.hpp"
+#include "apps/inspect_command.hpp"
+#include "apps/simulate_command.hpp"
+#include "apps/suggestion.hpp"
+#include "apps/version.hpp"
+#include "libmpm/error.hpp"
+#include "specimen/error.hpp"
+
+namespace app {
+namespace {
+
+constexpr const char* footer_text =
+    "From nothing to a broken specimen:\n"
+    "  mesopix generate -o specimen.h5\n"
+    "  mesopix simulate specimen.h5\n"
+    "mesopix COMMAND --help tells more.";
+
+/// The program and its subcommands.
+class Program {
+ public:
+  Program() {
+    root_.formatter(help_formatter());
+    root_.set_version_flag("--version", std::string("mesopix ") + version());
+    root_.footer(footer_text);
+    root_.allow_extras();
+  }
+
+  Exit run(const std::vector<std::string>& arguments, Console& console) {
+    if (arguments.empty()) {
+      console.err << root_.help();
+      return Exit::usage;
+    }
+    Command* command = find(arguments.front());
+    if (command == nullptr && arguments.front().rfind('-', 0) != 0) refuse_command(arguments.front());
+    std::vector<std::string> parsed(arguments.begin() + 1, arguments.end());
+    if (command != nullptr) parsed = command->prepare(parsed);
+    parsed.insert(parsed.begin(), arguments.front());
+    std::reverse(parsed.begin(), parsed.end());  // the parser wants the last one first
+    try {
+      root_.parse(parsed);
+    } catch (const CLI::Success& asked) {  // --help, --version
+      return static_cast<Exit>(root_.exit(asked, console.out, console.err));
+    } catch (const CLI::ArgumentMismatch& mismatch) {
+      const std::string what = mismatch.what();
+      throw Rejected(Exit::usage, complaint(what.substr(0, what.find(':')), "needs a value",
+                                            "mesopix " + arguments.front() + " --help tells which"));
+    }
+    if (command == nullptr)
+      throw Rejected(Exit::usage, complaint(arguments.front(), "is no command", "must be " + listed(names()),
+                                            "mesopix --help tells what they do"));
+    refuse_remaining(command->options());
+    return command->run(console);
+  }
+
+ private:
+  std::array<Command*, 4> commands() { return {&generate_, &convert_, &simulate_, &inspect_}; }
+
+  Command* find(const std::string& name) {
+    for (Command* command : commands())
+      if (command->options().get_name() == name) return command;
+    return nullptr;
+  }
+
+  std::vector<std::string> names() {
+    std::vector<std::string> all;
+    for (Command* command : commands()) all.push_back(command->options().get_name());
+    return all;
+  }
+
+  void refuse_command(const std::string& name) {
+    throw Rejected(Exit::usage, complaint(name, "unknown command", "must be " + listed(names()),
+                                          did_you_mean(name, names())));
+  }
+
+  CLI::App root_{"mesopix: from a picture of concrete to a broken specimen", "mesopix"};
+  GenerateCommand generate_{root_};
+  ConvertCommand convert_{root_};
+  SimulateCommand simulate_{root_};
+  InspectCommand inspect_{root_};
+};
+
+Exit refuse(Console& console, Exit code, const std::vector<Complaint>& complaints) {
+  for (const Complaint& complaint : complaints)
+    console.err << "mesopix: " << text(locate(console.origins, complaint)) << '\n';
+  console.err << std::flush;
+  return code;
+}
+
+template <class Error>
+Complaint complaint_of(const Error& error) {
+  return complaint(error.field, error.value, error.allowed, error.cure);
+}
+
+Exit run_and_flush(const std::vector<std::string>& arguments, Console& console) {
+  const Exit code = Program().run(arguments, console);
+  if (console.out.flush()) return code;
+  throw Rejected(Exit::io, complaint("standard output", "cannot be written", ""));
+}
+
+}  // namespace
+
+Exit run_program(const std::vector<std::string>& arguments, Console& console) {
+  try {
+    return run_and_flush(arguments, console);
+  } catch (const Rejected& rejected) {
+    return refuse(console, rejected.code, rejected.complaints);
+  } catch (const CLI::ParseError& error) {
+    return refuse(console, Exit::usage, {complaint(error.what(), "", "", "mesopix --help")});
+  } catch (const specimen::Error& error) {
+    return refuse(console, error.fault == specimen::Fault::write ? Exit::io : Exit::data,
+                  {complaint_of(error)});
+  } catch (const mpm::FileError& error) {
+    return refuse(console, Exit::io, {complaint_of(error)});
+  } catch (const mpm::Error& error) {
+    return refuse(console, Exit::data, {complaint_of(error)});
+  } catch (const std::filesystem::filesystem_error& error) {
+    return refuse(console, Exit::io, {complaint("", error.what(), "")});
+  } catch (const std::bad_alloc&) {
+    return refuse(console, Exit::data, {complaint("memory", "not enough", "", "use fewer, larger pixels")});
+  } catch (const std::exception& error) {
+    return refuse(console, Exit::internal,
+                  {complaint("internal error", error.what(), "", "please report it")});
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,37 @@
+#include "apps/progress_line.hpp"
+
+#include <fmt/format.h>
+
+namespace app {
+namespace {
+
+constexpr const char* wipe = "\r\x1b[K";
+
+std::string time_left(const mpm::Progress& progress) {
+  if (progress.fraction <= 0) return "";
+  const double seconds = progress.wall_time * (1 - progress.fraction) / progress.fraction;
+  if (seconds < 100) return fmt::format("   {:.0f} s left", seconds);
+  return fmt::format("   {:.0f} min left", seconds / 60);
+}
+
+}  // namespace
+
+std::string progress_text(const mpm::Progress& progress) {
+  const mpm::HistoryRow& row = progress.row;
+  return fmt::format("{:3.0f} %   strain {:.0f}e-6   stress {:.2f} MPa   {} failed{}",
+                     100 * progress.fraction, 1e6 * row.strain, 1e-6 * row.stress,
+                     row.tension_failures + row.shear_failures, time_left(progress));
+}
+
+void ProgressLine::show(const mpm::Progress& progress) {
+  if (!enabled_ || (drawn_ && progress.wall_time - last_ < 0.1)) return;
+  terminal_ << wipe << progress_text(progress) << std::flush;
+  drawn_ = true;
+  last_ = progress.wall_time;
+}
+
+ProgressLine::~ProgressLine() {
+  if (drawn_) terminal_ << wipe << std::flush;
+}
+
+}  // namespace app

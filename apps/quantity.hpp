@@ -1,0 +1,33 @@
+/// Quantities with units as people write them: "0.5 mm", "20 GPa", "50 deg", "45 %".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// What a number measures. Everything inside the program is in SI units (angles in rad).
+enum class Dimension { ratio, length, area, pressure, angle, velocity, density, time };
+
+[[nodiscard]] std::string name(Dimension dimension);     ///< "length"
+[[nodiscard]] std::string example(Dimension dimension);  ///< "0.5 mm"
+
+/// "must be a length, e.g. "0.5 mm"".
+[[nodiscard]] std::string must_be(Dimension dimension);
+
+/// A quantity in SI units. A unit is obligatory but for ratios (where "%" and "microstrain" are possible).
+/// Decimal units shift the exponent before the one rounding to binary: "0.5 mm" is the double 0.5e-3.
+/// @throws Mistake for text that is no number, for a missing, unknown or unfit unit, and for values that are
+/// not finite or beyond the range of doubles.
+[[nodiscard]] double parse_quantity(std::string_view text, Dimension dimension);
+
+/// The shortest text in a readable unit that parse_quantity reads back to the same double.
+[[nodiscard]] std::string format_quantity(double value, Dimension dimension);
+
+/// The shortest text that reads back to the same double; "0.0004", "2e-7".
+[[nodiscard]] std::string format_number(double value);
+
+/// Whether a unit of this name measures the dimension.
+[[nodiscard]] bool is_unit(std::string_view unit, Dimension dimension);
+
+}  // namespace app

@@ -1,0 +1,36 @@
+/// Scene files: TOML whose keys are those of the schema, and [[ellipses]].
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/assignment.hpp"
+
+namespace app {
+
+/// A scene file as it was written, not yet applied.
+struct SceneFile {
+  std::vector<Assignment> assignments;          ///< in the order of the file
+  std::vector<specimen::Ellipse> ellipse_list;  ///< of [[ellipses]]
+  Place ellipses_place;
+  std::vector<Complaint> complaints;  ///< what is no scene, whatever the schema says
+};
+
+/// Paths in it are made relative to the folder of the file.   @throws Rejected when it cannot be read or is
+/// no TOML.
+[[nodiscard]] SceneFile read_scene_file(const std::string& path);
+
+/// The same from text; `path` is for the messages and the folder.
+[[nodiscard]] SceneFile parse_scene(const std::string& text, const std::string& path);
+
+/// What the user asked for, defaults included, and where they said it.
+struct Resolved {
+  Settings settings;
+  Origins origins;
+};
+
+/// Settings from the defaults, the scene, then the command line; a later one wins.
+/// @throws Rejected with every complaint about file and command line.
+[[nodiscard]] Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_line);
+
+}  // namespace app

@@ -1,0 +1,150 @@
+#include "apps/simulate_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "apps/interrupt.hpp"
+#include "apps/progress_line.hpp"
+#include "apps/run_folder.hpp"
+#include "apps/run_location.hpp"
+#include "apps/scene_builder.hpp"
+#include "apps/scene_file.hpp"
+#include "apps/scene_text.hpp"
+#include "apps/specimen_source.hpp"
+#include "libmpm/simulate.hpp"
+#include "specimen/digest.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer =
+    "Example: tension until the stress has dropped to 20 % of its peak\n"
+    "  mesopix simulate specimen.h5 --velocity \"0.02 m/s\" --stop-drop 0.2 --mortar.tensile-scale \"12 "
+    "MPa\" -o run\n"
+    "The settings of the specimen are options too, by their keys: --generate.fraction 0.4, --convert.width "
+    "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
+    "a scene.";
+
+Resolved resolve_input(const std::string& input, std::vector<Assignment> given) {
+  const InputKind kind = kind_of_input(input);
+  if (kind == InputKind::folder)
+    throw Rejected(Exit::usage,
+                   complaint("INPUT", input, "is a folder; must be a specimen, a scene or a picture"));
+  if (kind == InputKind::scene) return resolve(read_scene_file(input), given);
+  const char* key = kind == InputKind::hdf5 ? "specimen.file" : "specimen.picture";
+  given.insert(given.begin(), given_as_option(key, Kind::path, "INPUT", input));
+  return resolve({}, given);
+}
+
+/// What a run ended with, kept whether it came to its end or not.
+struct Outcome {
+  mpm::Result result;
+  std::string divergence;  ///< what went wrong; empty when nothing did
+};
+
+Outcome solve(const mpm::Scene& scene, Console& console) {
+  const InterruptGuard guard;
+  ProgressLine line(console.err, console.err_is_terminal && !console.quiet);
+  try {
+    return {mpm::simulate(scene,
+                          [&](const mpm::Progress& progress) {
+                            line.show(progress);
+                            return !guard.interrupted();
+                          }),
+            {}};
+  } catch (const mpm::Diverged& diverged) {
+    return {diverged.result, diverged.what()};
+  }
+}
+
+std::string result_text(const mpm::Result& result) {
+  return fmt::format(
+      "peak {:.4g} MPa at strain {:.4g}e-6, {} tension and {} shear failures, {} steps in {:.2f} s",
+      1e-6 * result.peak_stress, 1e6 * result.peak_strain, result.tension_failures, result.shear_failures,
+      result.steps, result.wall_time);
+}
+
+/// The folder that was made for a run disappears again when the run could not begin.
+class FreshFolder {
+ public:
+  explicit FreshFolder(fs::path path) : path_(std::move(path)) {}
+  ~FreshFolder() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);  // fails, as it should, once something is in it
+  }
+  FreshFolder(const FreshFolder&) = delete;
+  FreshFolder& operator=(const FreshFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+SimulateCommand::SimulateCommand(CLI::App& program)
+    : Command(program, "simulate", "Break a specimen, and write what happened into a folder", footer),
+      settings_(options(), {{"phases", "loading", "damage", "solver", "output"},
+                            {"specimen", "generate", "convert", "itz"},
+                            {}}) {
+  options().add_option("INPUT", input_, "specimen.h5, scene.toml or picture")->type_name("");
+  options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
+  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");
+  options().add_flag("--json", json_, "summary as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+std::vector<std::string> SimulateCommand::prepare(const std::vector<std::string>& arguments) {
+  return settings_.take_phase_options(arguments);
+}
+
+Exit SimulateCommand::run(Console& console) {
+  console.quiet = quiet_;
+  if (input_.empty())
+    throw Rejected(Exit::usage, complaint("INPUT", "missing", "", "mesopix simulate INPUT"));
+  Resolved resolved = resolve_input(input_, settings_.assignments());
+  console.origins = resolved.origins;
+  Settings& settings = resolved.settings;
+  settle_source(settings);
+  if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
+  if (print_scene_) {
+    console.out << scene_text(settings, Extent::whole, fs::current_path());
+    return Exit::ok;
+  }
+  Prepared prepared = prepare_specimen(settings);
+  for (std::string& note : crop_to_cells(prepared.specimen, settings.scene.points_per_cell))
+    prepared.notes.push_back(std::move(note));
+  for (const std::string& note : prepared.notes) console.say("note: " + note);
+  const mpm::Scene scene = build_scene(prepared.specimen, settings);
+  mpm::validate(scene);
+
+  const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
+  const Outcome outcome = solve(scene, console);
+  if (!outcome.divergence.empty()) prepared.notes.push_back(outcome.divergence);
+  const std::string toml = scene_text(settings, Extent::whole, folder.path());
+  const RunRecord record{
+      prepared.specimen, scene,         outcome.result, toml, specimen::sha256_of_text(toml),
+      settings.title,    prepared.notes};
+  write_run(folder.path(), record);
+  if (json_)
+    console.out << summary(record).dump(2) << '\n';
+  else
+    console.say(result_text(outcome.result));
+  console.say("wrote " + folder.path().string());
+
+  if (!outcome.divergence.empty())
+    throw Rejected(Exit::data, complaint("simulate", outcome.divergence,
+                                         "what was computed is in " + folder.path().string()));
+  if (outcome.result.stop == mpm::StopReason::interrupted) {
+    console.say("interrupted; what was computed is kept");
+    return Exit::interrupted;
+  }
+  return Exit::ok;
+}
+
+}  // namespace app

@@ -1,0 +1,24 @@
+/// mesopix simulate: break a specimen.
+#pragma once
+
+#include "apps/command.hpp"
+
+namespace app {
+
+class SimulateCommand : public Command {
+ public:
+  explicit SimulateCommand(CLI::App& program);
+  std::vector<std::string> prepare(const std::vector<std::string>& arguments) override;
+  Exit run(Console& console) override;
+
+ private:
+  SettingOptions settings_;
+  std::string input_;
+  std::string output_;
+  bool overwrite_ = false;
+  bool print_scene_ = false;
+  bool json_ = false;
+  bool quiet_ = false;
+};
+
+}  // namespace app

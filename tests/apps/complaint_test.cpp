@@ -1,0 +1,35 @@
+#include "apps/complaint.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(Complaint, NamesPlaceFieldValueAllowedAndCure) {
+  app::Complaint one = app::complaint("loading.velocity", "0.05", "needs a unit", "write it");
+  one.place = {"scene.toml", 3, 12};
+  EXPECT_EQ(text(one), "scene.toml:3:12: loading.velocity: 0.05; needs a unit; write it");
+}
+
+TEST(Complaint, LeavesEmptyPartsOut) {
+  EXPECT_EQ(text(app::complaint("INPUT", "missing", "", "mesopix simulate INPUT")),
+            "INPUT: missing; mesopix simulate INPUT");
+  app::Complaint of_file = app::complaint("", "empty", "");
+  of_file.place.file = "scene.toml";
+  EXPECT_EQ(text(of_file), "scene.toml: empty");
+}
+
+TEST(Complaint, StaysOnOneLineWhateverTheUserWrote) {
+  EXPECT_EQ(text(app::complaint("--title", "two\nlines\x1b[31m", "", "")), "--title: two?lines?[31m");
+}
+
+TEST(Quoted, EscapesAsTomlDoes) {
+  EXPECT_EQ(app::quoted("a \"b\" \\ c\n\t\x01"), "\"a \\\"b\\\" \\\\ c\\n\\t\\u0001\"");
+}
+
+TEST(Rejected, TellsEveryComplaint) {
+  const app::Rejected rejected(app::Exit::data,
+                               {app::complaint("a", "1", "", ""), app::complaint("b", "2", "", "")});
+  EXPECT_STREQ(rejected.what(), "a: 1\nb: 2");
+}
+
+}  // namespace

@@ -1,0 +1,134 @@
+#!/usr/bin/env bash
+# What only a real process can show: exit codes, streams, signals, and that a resolved scene gives the same run.
+#   end_to_end.sh MESOPIX DATA_FOLDER
+set -u
+mesopix=$(realpath "$1")
+data=$(realpath "$2")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# expect CODE ARGUMENTS...: run the program, keep its streams in out and err.
+expect() {
+  local wanted=$1
+  shift
+  "$mesopix" "$@" >out 2>err
+  local code=$?
+  [ "$code" -eq "$wanted" ] || fail "mesopix $*: exit code $code, not $wanted: $(cat err)"
+}
+
+same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+has() { grep -qF -- "$2" "$1" || fail "$1 lacks \"$2\": $(cat "$1")"; }
+is_empty() { [ ! -s "$1" ] || fail "$1 is not empty: $(cat "$1")"; }
+exists() { [ -e "$1" ] || fail "$1 is missing"; }
+
+small=(--width "30 mm" --height "30 mm" --pixel-size "1 mm" --fraction 0.3 --d-max "10 mm")
+
+# Generate, then break, with nothing but defaults.
+expect 0 generate "${small[@]}" -o specimen.h5
+is_empty out
+expect 0 simulate specimen.h5 -o first
+is_empty out
+grep -q $'\r' err && fail "a progress line where there is no terminal"
+for file in curve.csv result.h5 summary.json scene.toml specimen.png report.html; do exists "first/$file"; done
+
+# The resolved scene gives the same run: the same curve to the last digit, and the same scene.
+expect 0 simulate first/scene.toml -o second -q
+is_empty err
+same first/curve.csv second/curve.csv
+same first/scene.toml second/scene.toml
+
+# So it does for a scene whose specimen is random, and for one that lists its ellipses.
+cat >scene.toml <<'SCENE'
+[generate]
+width = "30 mm"
+height = "30 mm"
+pixel_size = "1 mm"
+d_max = "10 mm"
+fraction = 0.3
+[phases.mortar]
+tensile_scale = "8 MPa"
+SCENE
+expect 0 simulate scene.toml
+expect 0 simulate runs/scene/scene.toml
+exists runs/scene-2/curve.csv
+same runs/scene/curve.csv runs/scene-2/curve.csv
+expect 0 simulate scene.toml -o other --seed 2
+cmp -s runs/scene/curve.csv other/curve.csv && fail "another seed gave the same curve"
+printf 'x_mm,y_mm,a_mm,b_mm\n15,15,8,5\n' >list.csv
+expect 0 generate --ellipses list.csv --width "30 mm" --height "30 mm" --pixel-size "1 mm" -o list.h5
+
+# JSON is alone on standard output.
+expect 0 simulate specimen.h5 -o third --json
+has out '"peak_stress_Pa"'
+python3 -c 'import json; json.load(open("out"))' || fail "the summary is no JSON"
+
+# Inspect a folder, a result and a specimen.
+expect 0 inspect third
+has out "result: peak"
+expect 0 inspect third/result.h5 --json
+expect 0 inspect specimen.h5
+
+# A picture and back gives the same labels.
+expect 0 generate "${small[@]}" -o labels.png
+expect 0 convert labels.png -o back.png
+expect 0 convert back.png -o again.png --reference labels.png --json
+same back.png again.png
+same labels.png back.png
+has out '"mortar": 1.0'
+
+# What is refused, and how.
+expect 64 simulate specimen.h5 -o first
+has err "mesopix: -o: first; is not empty; choose another folder, or add --overwrite"
+expect 0 simulate specimen.h5 -o first --overwrite
+expect 64 simulate specimen.h5 --velocity 0.05
+has err 'mesopix: --velocity: 0.05; needs a unit; write e.g. "0.05 m/s"'
+expect 65 simulate specimen.h5 --mortr.young "20 GPa"
+has err "did you mean mortar?"
+[ "$(wc -l <err)" -eq 1 ] || fail "more than one line for one mistake"
+echo "no picture" >note.png
+expect 65 convert note.png
+printf '\x89HDF\r\n\x1a\n and no more' >broken.h5
+expect 65 simulate broken.h5
+expect 74 generate "${small[@]}" -o no/such/folder.h5
+if [ -e /dev/full ]; then
+  "$mesopix" inspect specimen.h5 --json >/dev/full 2>err
+  [ $? -eq 74 ] || fail "a full disk was not noticed"
+fi
+
+# What lies in data/ is as its README says.
+for scene in two_aggregates concrete_tension concrete_compression; do expect 0 simulate "$data/$scene.toml" --print-scene; done
+expect 0 generate -o fresh.png
+expect 0 convert fresh.png -o fresh_labels.png
+expect 0 convert "$data/concrete.png" -o concrete_labels.png
+same fresh_labels.png concrete_labels.png
+
+# Physics gone wrong ends with the exit code for bad data, and keeps what was computed.
+expect 65 simulate specimen.h5 --cfl 1 --local-damping 0.99 -o diverged
+has err "what was computed is in diverged"
+exists diverged/report.html
+
+# Ctrl-C keeps what was computed.
+"$mesopix" simulate "$data/concrete_compression.toml" -o stopped --set loading.velocity="0.001 m/s" 2>err &
+process=$!
+for _ in $(seq 100); do
+  [ -d stopped ] && break
+  sleep 0.1
+done
+sleep 0.5
+kill -INT "$process"
+wait "$process"
+code=$?
+[ "$code" -eq 75 ] || fail "interrupted with exit code $code, not 75: $(cat err)"
+exists stopped/curve.csv
+expect 0 inspect stopped
+has out "(interrupted)"
+
+[ "$failures" -eq 0 ] && echo "all as expected"
+exit $((failures > 0))

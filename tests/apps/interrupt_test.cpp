@@ -1,0 +1,27 @@
+#include "apps/interrupt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace {
+
+TEST(InterruptGuard, NotesTheFirstSignalOnly) {
+  const app::InterruptGuard guard;
+  EXPECT_FALSE(guard.interrupted());
+  std::raise(SIGINT);
+  EXPECT_TRUE(guard.interrupted());
+  EXPECT_EQ(std::signal(SIGINT, SIG_IGN), SIG_DFL);  // a second one would have ended the program
+}
+
+TEST(InterruptGuard, ForgetsEarlierSignals) {
+  {
+    const app::InterruptGuard guard;
+    std::raise(SIGTERM);
+    EXPECT_TRUE(guard.interrupted());
+  }
+  const app::InterruptGuard guard;
+  EXPECT_FALSE(guard.interrupted());
+}
+
+}  // namespace

@@ -1,0 +1,102 @@
+#include "apps/output/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/fake_run.hpp"
+
+namespace {
+
+using output::report_html;
+using testing::HasSubstr;
+using testing::Not;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(Report, NeedsNoNetworkAndRunsNothing) {
+  const FakeRun run = tension_run(60);
+  const std::string page = report_html(run.record());
+  EXPECT_THAT(page, HasSubstr("content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:\""));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_EQ(count(page, "http"), count(page, "http-equiv=") + count(page, "xmlns=\"http://www.w3.org/"));
+}
+
+TEST(Report, ShowsKeyFiguresWithUnits) {
+  const FakeRun run = tension_run(60);
+  const std::string page = report_html(run.record());
+  EXPECT_THAT(page, HasSubstr("Peak stress</th><td>3.43</td><td class=\"unit\">MPa"));
+  EXPECT_THAT(page, HasSubstr("Strain at the peak</th><td>144</td><td class=\"unit\">microstrain"));
+  EXPECT_THAT(page, HasSubstr("peak 3.43 MPa at 144 microstrain"));
+}
+
+TEST(Report, ShowsEveryPictureInColourAndGrey) {
+  const FakeRun run = tension_run(60);
+  const std::string page = report_html(run.record());
+  EXPECT_EQ(count(page, "<img "), 2U * 6 + 1);
+  EXPECT_EQ(count(page, "% of the peak strain</b>"), 6U);
+}
+
+TEST(Report, SaysWhichPicturesAreMissing) {
+  const FakeRun run = tension_run(60, 60);
+  const std::string page = report_html(run.record());
+  EXPECT_EQ(count(page, "% of the peak strain</b>"), 2U);
+  EXPECT_THAT(page,
+              HasSubstr("The run ended at 60 % of the peak strain: there is no picture of damage at 75 %, "
+                        "100 %, 125 % and 150 %."));
+}
+
+TEST(Report, StandsWithoutAnyDamagePicture) {
+  const FakeRun run = still_run({"12", "32"});
+  EXPECT_THAT(report_html(run.record()), HasSubstr("no picture of damage was drawn"));
+}
+
+TEST(Report, MagnifiesSmallMasksByWholeFactors) {
+  const FakeRun run = tension_run(150);
+  EXPECT_THAT(report_html(run.record()), HasSubstr("pixels\" width=\"300\" height=\"300\""));
+}
+
+TEST(Report, EscapesEverythingFromOutside) {
+  const std::string evil = "</script><script>alert(1)</script>";
+  FakeRun run = tension_run(30);
+  run.specimen.mask.phases.at(2) = evil;
+  run.specimen.provenance = {evil, evil, evil, 1, evil};
+  run.result.instruction_set = evil;
+  RunRecord record = run.record();
+  record.title = record.scene_toml = record.scene_hash = evil;
+  record.notes = {evil};
+  const std::string page = report_html(record);
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;</title>"));
+  EXPECT_GE(count(page, "&lt;script&gt;"), 9U);
+}
+
+TEST(Report, HasATitleWhereTheUserGaveNone) {
+  const FakeRun run = tension_run(30);
+  RunRecord record = run.record();
+  record.title = "";
+  EXPECT_THAT(report_html(record), HasSubstr("<h1>Tension of a specimen of 150 × 150 mm</h1>"));
+}
+
+TEST(Report, TellsOfClosureAndExtraPoints) {
+  const FakeRun run = compression_run(60);
+  const std::string page = report_html(run.record());
+  EXPECT_THAT(page, HasSubstr("Crushed later"));
+  EXPECT_THAT(page, HasSubstr("Extra ITZ points have no pixel"));
+  EXPECT_THAT(page, HasSubstr("Extra points</th><td>2628</td><td>700</td>"));
+}
+
+TEST(Report, StaysBelowTwoMegabytes) {
+  const FakeRun run = tension_run(300);
+  EXPECT_LT(report_html(run.record()).size(), 2'000'000U);
+}
+
+TEST(Report, IsTheSameForTheSameRun) {
+  const FakeRun run = tension_run(30);
+  EXPECT_EQ(report_html(run.record()), report_html(run.record()));
+}
+
+}  // namespace

@@ -1,0 +1,53 @@
+#include "apps/output/run_charts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/apps/fake_run.hpp"
+
+namespace {
+
+using namespace output;
+
+TEST(StressChart, IsInMegapascalAndMicrostrainWithThePeakMarked) {
+  const FakeRun run = tension_run(30);
+  const Chart chart = stress_chart(run.record());
+  ASSERT_EQ(chart.series.size(), 1U);
+  const mpm::HistoryRow& row = run.result.history[100];
+  EXPECT_DOUBLE_EQ(chart.series[0].x[100], 1e6 * row.strain);
+  EXPECT_DOUBLE_EQ(chart.series[0].y[100], 1e-6 * row.stress);
+  ASSERT_EQ(chart.markers.size(), 1U);
+  EXPECT_EQ(chart.markers[0].text, "peak 3.43 MPa at 144 microstrain");
+  EXPECT_DOUBLE_EQ(chart.markers[0].x, 144);
+}
+
+TEST(StressChart, MarksNoPeakWhereThereIsNone) {
+  FakeRun run = tension_run(30);
+  run.result.peak_stress = 0;
+  EXPECT_TRUE(stress_chart(run.record()).markers.empty());
+}
+
+TEST(EnergyChart, ShowsDampingOnlyWhereThereIsAny) {
+  FakeRun run = tension_run(30);
+  EXPECT_EQ(energy_chart(run.record()).series.size(), 4U);
+  run.scene.local_damping = 0.1;
+  EXPECT_EQ(energy_chart(run.record()).series.back().name, "damped");
+}
+
+TEST(EnergyChart, HoldsTheLedger) {
+  const FakeRun run = tension_run(30);
+  const Chart chart = energy_chart(run.record());
+  const mpm::HistoryRow& row = run.result.history[200];
+  EXPECT_DOUBLE_EQ(chart.series[0].y[200], row.platen_work);
+  EXPECT_DOUBLE_EQ(chart.series[1].y[200], row.elastic);
+  EXPECT_DOUBLE_EQ(chart.series[2].y[200], row.released);
+  EXPECT_DOUBLE_EQ(chart.series[3].y[200], row.kinetic);
+}
+
+TEST(FailureChart, CountsBothModes) {
+  const FakeRun run = tension_run(30);
+  const Chart chart = failure_chart(run.record());
+  EXPECT_EQ(chart.series[0].y.back(), static_cast<double>(run.result.tension_failures));
+  EXPECT_EQ(chart.series[1].y.back(), static_cast<double>(run.result.shear_failures));
+}
+
+}  // namespace

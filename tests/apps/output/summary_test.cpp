@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/apps/fake_run.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+TEST(Summary, HoldsTheFiguresOfTheResult) {
+  const FakeRun run = tension_run(30);
+  const json figures = summary(run.record());
+  EXPECT_EQ(figures["peak_stress_Pa"], 3.43e6);
+  EXPECT_EQ(figures["peak_strain"], 144e-6);
+  EXPECT_EQ(figures["tension_failures"], run.result.tension_failures);
+  EXPECT_EQ(figures["shear_failures"], run.result.shear_failures);
+  EXPECT_EQ(figures["points"], 900);
+  EXPECT_EQ(figures["steps"], 10327);
+  EXPECT_EQ(figures["dt_s"], 4.2e-8);
+  EXPECT_EQ(figures["wall_s"], 8.4);
+  EXPECT_EQ(figures["point_updates_per_s"], 900 * 10327 / 8.4);
+  EXPECT_EQ(figures["energy_error"], 2.3e-4);
+  EXPECT_EQ(figures["instruction_set"], "avx512");
+  EXPECT_EQ(figures["stop_reason"], "strain");
+  EXPECT_EQ(figures["end_strain"], run.result.history.back().strain);
+}
+
+TEST(Summary, HoldsTheSettingAndTheSource) {
+  const FakeRun run = compression_run(30);
+  const RunRecord record = run.record();
+  const json figures = summary(record);
+  EXPECT_EQ(figures["direction"], "compression");
+  EXPECT_EQ(figures["platen"], "rough");
+  EXPECT_EQ(figures["plane"], "plane strain");
+  EXPECT_EQ(figures["precision"], "double");
+  EXPECT_EQ(figures["threads"], 2);
+  EXPECT_EQ(figures["crack_closure"], "unilateral");
+  EXPECT_EQ(figures["title"], record.title);
+  EXPECT_EQ(figures["scene_hash"], record.scene_hash);
+  EXPECT_THAT(figures["version"].get<std::string>(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+  EXPECT_EQ(figures["specimen"]["rows"], 30);
+  EXPECT_EQ(figures["specimen"]["source"], "generated");
+}
+
+TEST(Summary, SharesTheAreaAmongThePhases) {
+  const FakeRun run = tension_run(30);
+  const json shares = summary(run.record())["specimen"]["phase_fractions"];
+  EXPECT_EQ(shares.size(), 3U);
+  EXPECT_NEAR(
+      shares["aggregate"].get<double>() + shares["mortar"].get<double>() + shares["itz"].get<double>(), 1,
+      1e-12);
+}
+
+TEST(Summary, ListsThePicturesThatWereDrawnAndThoseThatWereNot) {
+  const FakeRun run = tension_run(30, 110);
+  const json figures = summary(run.record());
+  ASSERT_EQ(figures["damage_pictures"].size(), 4U);
+  EXPECT_EQ(figures["damage_pictures"][3]["file"], "damage_100.png");
+  EXPECT_EQ(figures["damage_pictures"][3]["strain"], 144e-6);
+  ASSERT_FALSE(figures["notes"].empty());
+  EXPECT_THAT(figures["notes"].back().get<std::string>(), testing::HasSubstr("125 % and 150 %"));
+}
+
+TEST(Summary, ReadsBackFromItsTextBitForBit) {
+  const FakeRun run = tension_run(30);
+  const json figures = summary(run.record());
+  EXPECT_EQ(json::parse(figures.dump()), figures);
+}
+
+TEST(Summary, WritesNullForWhatIsNoNumber) {
+  FakeRun run = tension_run(30);
+  run.result.energy_error = std::nan("");
+  EXPECT_TRUE(json::parse(summary(run.record()).dump())["energy_error"].is_null());
+}
+
+TEST(Summary, AddsUpOverThePhases) {
+  const FakeRun run = compression_run(60);
+  std::int64_t tension = 0, shear = 0, points = 0;
+  const json figures = summary(run.record());
+  for (const json& row : figures["failures_by_phase"]) {
+    tension += row["tension"].get<std::int64_t>();
+    shear += row["shear"].get<std::int64_t>() + row["crushed"].get<std::int64_t>();
+    points += row["points"].get<std::int64_t>();
+  }
+  EXPECT_EQ(tension, run.result.tension_failures);
+  EXPECT_EQ(shear, run.result.shear_failures);
+  EXPECT_EQ(points, run.result.points);
+}
+
+}  // namespace

@@ -1,0 +1,48 @@
+#include "apps/output/ticks.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Ticks, AreRoundMultiplesWithinTheRange) {
+  EXPECT_THAT(output::ticks_between(0, 3.9, 8).values, ElementsAre(0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5));
+  EXPECT_THAT(output::ticks_between(0, 403, 6).values, ElementsAre(0, 100, 200, 300, 400));
+  EXPECT_THAT(output::ticks_between(-25, 50, 5).values, ElementsAre(-20, 0, 20, 40));
+}
+
+TEST(Ticks, StayFewAndInsideForAnyRange) {
+  for (double high = 1e-9; high < 1e12; high *= 1.7)
+    for (const int at_most : {2, 5, 12}) {
+      const output::Ticks ticks = output::ticks_between(-0.3 * high, high, at_most);
+      EXPECT_LE(ticks.values.size(), static_cast<std::size_t>(at_most)) << high;
+      EXPECT_GE(ticks.values.size(), 1U) << high;
+      EXPECT_GE(ticks.values.front(), -0.3001 * high);
+      EXPECT_LE(ticks.values.back(), 1.0001 * high);
+    }
+}
+
+TEST(Ticks, IncludeAnEndThatIsRound) {
+  EXPECT_DOUBLE_EQ(output::ticks_between(0, 0.3, 4).values.back(), 0.3);  // 3 * 0.1 > 0.3 in binary
+}
+
+TEST(TickText, HasTheDecimalsOfTheStep) {
+  EXPECT_EQ(output::tick_text(0.5, 0.5), "0.5");
+  EXPECT_EQ(output::tick_text(2, 0.5), "2.0");
+  EXPECT_EQ(output::tick_text(0, 0.5), "0");
+  EXPECT_EQ(output::tick_text(100, 100), "100");
+  EXPECT_EQ(output::tick_text(20000, 5000), "20\u202F000");
+  EXPECT_EQ(output::tick_text(-0.02, 0.02), "\u22120.02");
+}
+
+TEST(TickText, UsesPowersOfTenWhereThatIsShorter) {
+  EXPECT_EQ(output::tick_text(3e-7, 1e-7), "3\u00A0×\u00A010⁻⁷");
+  EXPECT_EQ(output::tick_text(1.2e-6, 1e-7), "1.2\u00A0×\u00A010⁻⁶");
+  EXPECT_EQ(output::tick_text(3e9, 1e9), "3\u00A0×\u00A010⁹");
+}
+
+}  // namespace

@@ -1,0 +1,140 @@
+#include <cstddef>
+#include <cstdio>
+
+// jpeglib.h needs size_t and FILE before it.
+#include <jpeglib.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "specimen/picture.hpp"
+#include "tests/specimen/picture_checks.hpp"
+
+namespace {
+
+using specimen::Picture;
+using specimen_test::expect_refused;
+using specimen_test::FileBytes;
+using specimen_test::Scratch;
+
+/// A picture of one colour per quarter, written by libjpeg itself.
+struct JpegRecipe {
+  J_COLOR_SPACE space = JCS_RGB;
+  std::vector<std::vector<std::uint8_t>> quarters;  ///< top left, top right, bottom left, bottom right
+  int edge = 32;
+  bool progressive = false;
+  int density = 0;  ///< [dots per inch]
+  FileBytes app1{};
+};
+
+FileBytes make_jpeg(const JpegRecipe& recipe) {
+  jpeg_compress_struct jpeg{};
+  jpeg_error_mgr errors{};
+  jpeg.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&jpeg);
+  unsigned char* buffer = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&jpeg, &buffer, &size);
+  jpeg.image_width = jpeg.image_height = static_cast<JDIMENSION>(recipe.edge);
+  jpeg.input_components = static_cast<int>(recipe.quarters.front().size());
+  jpeg.in_color_space = recipe.space;
+  jpeg_set_defaults(&jpeg);
+  jpeg_set_quality(&jpeg, 100, TRUE);
+  if (recipe.progressive) jpeg_simple_progression(&jpeg);
+  if (recipe.density > 0) {
+    jpeg.density_unit = 1;
+    jpeg.X_density = jpeg.Y_density = static_cast<UINT16>(recipe.density);
+  }
+  jpeg_start_compress(&jpeg, TRUE);
+  if (!recipe.app1.empty())
+    jpeg_write_marker(&jpeg, JPEG_APP0 + 1, recipe.app1.data(), static_cast<unsigned>(recipe.app1.size()));
+  for (int r = 0; r < recipe.edge; ++r) {
+    std::vector<std::uint8_t> row;
+    for (int c = 0; c < recipe.edge; ++c) {
+      const auto& colour =
+          recipe.quarters[static_cast<std::size_t>(2 * (r >= recipe.edge / 2) + (c >= recipe.edge / 2))];
+      row.insert(row.end(), colour.begin(), colour.end());
+    }
+    JSAMPROW start = row.data();
+    jpeg_write_scanlines(&jpeg, &start, 1);
+  }
+  jpeg_finish_compress(&jpeg);
+  FileBytes bytes(buffer, buffer + size);
+  jpeg_destroy_compress(&jpeg);
+  std::free(buffer);
+  return bytes;
+}
+
+JpegRecipe colours() { return {JCS_RGB, {{200, 40, 40}, {40, 200, 40}, {40, 40, 200}, {128, 128, 128}}}; }
+
+void expect_near(specimen::Rgb c, int r, int g, int b) {
+  EXPECT_NEAR(c.r, r, 4);
+  EXPECT_NEAR(c.g, g, 4);
+  EXPECT_NEAR(c.b, b, 4);
+}
+
+TEST(PictureJpeg, ReadsColourAndDensity) {
+  const Scratch scratch;
+  JpegRecipe recipe = colours();
+  recipe.density = 2400;
+  const Picture picture = specimen::read_picture(scratch.write("a.jpg", make_jpeg(recipe)));
+  ASSERT_EQ(picture.rows(), 32);
+  expect_near(picture.colour(4, 4), 200, 40, 40);
+  expect_near(picture.colour(4, 28), 40, 200, 40);
+  expect_near(picture.colour(28, 4), 40, 40, 200);
+  EXPECT_DOUBLE_EQ(picture.pixel_size, 0.0254 / 2400);
+}
+
+TEST(PictureJpeg, ReadsGrayAndProgressive) {
+  const Scratch scratch;
+  JpegRecipe recipe{JCS_GRAYSCALE, {{10}, {90}, {170}, {250}}};
+  recipe.progressive = true;
+  const Picture picture = specimen::read_picture(scratch.write("gray.jpg", make_jpeg(recipe)));
+  EXPECT_TRUE(picture.colour.empty());
+  EXPECT_NEAR(picture.gray(28, 28), 250, 3);
+  EXPECT_EQ(picture.pixel_size, 0);
+}
+
+TEST(PictureJpeg, TurnsInkIntoLight) {
+  const Scratch scratch;
+  // libjpeg marks CMYK as Adobe's, which stores it upside down: 255 = no ink.
+  const JpegRecipe recipe{JCS_CMYK,
+                          {{255, 255, 255, 255}, {0, 255, 255, 255}, {255, 255, 255, 0}, {255, 0, 0, 255}}};
+  const Picture picture = specimen::read_picture(scratch.write("ink.jpg", make_jpeg(recipe)));
+  expect_near(picture.colour(4, 4), 255, 255, 255);
+  expect_near(picture.colour(4, 28), 0, 255, 255);
+  expect_near(picture.colour(28, 4), 0, 0, 0);
+  expect_near(picture.colour(28, 28), 255, 0, 0);
+}
+
+TEST(PictureJpeg, StandsUprightAsTheCameraSays) {
+  const Scratch scratch;
+  JpegRecipe recipe = colours();
+  // Little-endian EXIF with one entry: orientation 6, the top of the scene is on the right of the picture.
+  recipe.app1 = {'E', 'x', 'i',  'f', 0, 0, 'I', 'I', 42, 0, 8, 0, 0, 0,
+                 1,   0,   0x12, 1,   3, 0, 1,   0,   0,  0, 6, 0, 0, 0};
+  const Picture picture = specimen::read_picture(scratch.write("turned.jpg", make_jpeg(recipe)));
+  expect_near(picture.colour(4, 4), 40, 40, 200);  // bottom left came to the top left
+  expect_near(picture.colour(4, 28), 200, 40, 40);
+}
+
+TEST(PictureJpeg, RefusesAFileThatEndsTooEarly) {
+  const Scratch scratch;
+  const FileBytes whole = make_jpeg(colours());
+  const FileBytes half(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() - 40));
+  expect_refused(scratch.write("half.jpg", half), "is a damaged JPEG: ");
+}
+
+TEST(PictureJpeg, RefusesBeginningsAndSurvivesDamage) {
+  const Scratch scratch;
+  JpegRecipe recipe = colours();
+  recipe.edge = 8;
+  EXPECT_EQ(specimen_test::read_all_beginnings(scratch, make_jpeg(recipe)), 0);
+  specimen_test::survive_damage(scratch, make_jpeg(recipe));
+  recipe.progressive = true;
+  specimen_test::survive_damage(scratch, make_jpeg(recipe));
+}
+
+}  // namespace

@@ -1,0 +1,181 @@
+#include <tiffio.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "specimen/picture.hpp"
+#include "tests/specimen/picture_checks.hpp"
+
+namespace {
+
+using specimen::Picture;
+using specimen::Rgb;
+using specimen_test::expect_refused;
+using specimen_test::FileBytes;
+using specimen_test::Scratch;
+
+/// What to put in a TIFF; libtiff itself writes it.
+struct TiffRecipe {
+  int cols = 2, rows = 2;
+  int bits = 8, format = SAMPLEFORMAT_UINT, samples = 1;
+  int photometric = PHOTOMETRIC_MINISBLACK, compression = COMPRESSION_NONE, orientation = ORIENTATION_TOPLEFT;
+  int tile = 0;  ///< edge [px]; 0 = strips
+  bool big_endian = false;
+};
+
+template <class T>
+std::string make_tiff(const Scratch& scratch, const TiffRecipe& recipe, std::vector<T> data) {
+  const std::string path = scratch.file("recipe.tif");
+  TIFF* tiff = TIFFOpen(path.c_str(), recipe.big_endian ? "wb" : "wl");
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, recipe.cols);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, recipe.rows);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, recipe.bits);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, recipe.samples);
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, recipe.format);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, recipe.photometric);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, recipe.compression);
+  TIFFSetField(tiff, TIFFTAG_ORIENTATION, recipe.orientation);
+  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  if (recipe.photometric == PHOTOMETRIC_PALETTE) {
+    std::vector<std::uint16_t> ramp(256, 0);
+    for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<std::uint16_t>(257 * (255 - i));
+    std::vector<std::uint16_t> none(256, 0);
+    TIFFSetField(tiff, TIFFTAG_COLORMAP, ramp.data(), none.data(), none.data());
+  }
+  if (recipe.tile > 0) {
+    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, recipe.tile);
+    TIFFSetField(tiff, TIFFTAG_TILELENGTH, recipe.tile);
+    for (int top = 0; top < recipe.rows; top += recipe.tile)
+      for (int left = 0; left < recipe.cols; left += recipe.tile) {
+        std::vector<T> tile(static_cast<std::size_t>(recipe.tile) * static_cast<std::size_t>(recipe.tile),
+                            T{});
+        for (int r = top; r < std::min(recipe.rows, top + recipe.tile); ++r)
+          for (int c = left; c < std::min(recipe.cols, left + recipe.tile); ++c)
+            tile[static_cast<std::size_t>((r - top) * recipe.tile + c - left)] =
+                data[static_cast<std::size_t>(r * recipe.cols + c)];
+        TIFFWriteTile(tiff, tile.data(), static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top), 0,
+                      0);
+      }
+  } else {
+    const std::size_t stride = data.size() / static_cast<std::size_t>(recipe.rows);
+    for (int r = 0; r < recipe.rows; ++r)
+      TIFFWriteScanline(tiff, data.data() + static_cast<std::size_t>(r) * stride,
+                        static_cast<std::uint32_t>(r), 0);
+  }
+  TIFFClose(tiff);
+  return path;
+}
+
+template <class T>
+void expect_values(int format, std::vector<T> data) {
+  const Scratch scratch;
+  TiffRecipe recipe;
+  recipe.bits = static_cast<int>(8 * sizeof(T));
+  recipe.format = format;
+  for (const bool big_endian : {false, true}) {
+    recipe.big_endian = big_endian;
+    const Picture picture = specimen::read_picture(make_tiff(scratch, recipe, data));
+    EXPECT_EQ(picture.gray.data, std::vector<double>(data.begin(), data.end()));
+    EXPECT_EQ(picture.bits, recipe.bits);
+  }
+}
+
+TEST(PictureTiff, KeepsNumbersOfEveryKindAsStored) {
+  expect_values<std::uint8_t>(SAMPLEFORMAT_UINT, {0, 1, 200, 255});
+  expect_values<std::uint16_t>(SAMPLEFORMAT_UINT, {0, 1, 300, 65535});
+  expect_values<std::uint32_t>(SAMPLEFORMAT_UINT, {0, 1, 70000, 4294967295U});
+  expect_values<std::int8_t>(SAMPLEFORMAT_INT, {-128, -1, 0, 127});
+  expect_values<std::int16_t>(SAMPLEFORMAT_INT, {-32768, -1, 0, 32767});
+  expect_values<std::int32_t>(SAMPLEFORMAT_INT, {-2147483647, -1, 45, 2147483647});
+  expect_values<float>(SAMPLEFORMAT_IEEEFP, {-1.5F, 0.25F, 0, 1e20F});
+  expect_values<double>(SAMPLEFORMAT_IEEEFP, {-1.5, 0.1, 0, 1e200});
+}
+
+TEST(PictureTiff, ReadsBitsOfOneTwoAndFour) {
+  const Scratch scratch;
+  TiffRecipe recipe{4, 1, 1};
+  const auto read = [&](int bits, std::vector<std::uint8_t> data) {
+    recipe.bits = bits;
+    return specimen::read_picture(make_tiff(scratch, recipe, std::move(data))).gray.data;
+  };
+  EXPECT_EQ(read(1, {0b01010000}), (std::vector<double>{0, 1, 0, 1}));
+  EXPECT_EQ(read(2, {0b00011011}), (std::vector<double>{0, 1, 2, 3}));
+  EXPECT_EQ(read(4, {0x0f, 0x7a}), (std::vector<double>{0, 15, 7, 10}));
+  recipe.photometric = PHOTOMETRIC_MINISWHITE;
+  EXPECT_EQ(read(2, {0b00011011}), (std::vector<double>{3, 2, 1, 0}));
+}
+
+TEST(PictureTiff, ReadsTilesAndCompressedStripsLikePlainOnes) {
+  const Scratch scratch;
+  TiffRecipe recipe{37, 21, 16};
+  std::vector<std::uint16_t> data;
+  for (int i = 0; i < 37 * 21; ++i) data.push_back(static_cast<std::uint16_t>(i * i));
+  const Picture plain = specimen::read_picture(make_tiff(scratch, recipe, data));
+  recipe.compression = COMPRESSION_LZW;
+  EXPECT_EQ(specimen::read_picture(make_tiff(scratch, recipe, data)).gray, plain.gray);
+  recipe.tile = 16;
+  EXPECT_EQ(specimen::read_picture(make_tiff(scratch, recipe, data)).gray, plain.gray);
+  EXPECT_EQ(plain.gray(20, 36), data.back());
+}
+
+TEST(PictureTiff, ReadsColourAndPalettes) {
+  const Scratch scratch;
+  TiffRecipe recipe;
+  recipe.samples = 3;
+  recipe.photometric = PHOTOMETRIC_RGB;
+  const Picture colour = specimen::read_picture(
+      make_tiff<std::uint8_t>(scratch, recipe, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+  EXPECT_EQ(colour.colour.data, (std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}}));
+  recipe.samples = 1;
+  recipe.photometric = PHOTOMETRIC_PALETTE;
+  const Picture palette = specimen::read_picture(make_tiff<std::uint8_t>(scratch, recipe, {0, 1, 2, 255}));
+  EXPECT_EQ(palette.indices.data, (std::vector<std::uint8_t>{0, 1, 2, 255}));
+  EXPECT_EQ(palette.colour.data, (std::vector<Rgb>{{255, 0, 0}, {254, 0, 0}, {253, 0, 0}, {0, 0, 0}}));
+}
+
+TEST(PictureTiff, StandsUpright) {
+  const Scratch scratch;
+  TiffRecipe recipe{3, 1};
+  recipe.orientation = ORIENTATION_LEFTBOT;  // 8: column 0 is the bottom of the scene
+  const Picture picture = specimen::read_picture(make_tiff<std::uint8_t>(scratch, recipe, {1, 2, 3}));
+  EXPECT_EQ(picture.rows(), 3);
+  EXPECT_EQ(picture.gray.data, (std::vector<double>{3, 2, 1}));
+}
+
+TEST(PictureTiff, RefusesValuesThatAreNoNumbers) {
+  const Scratch scratch;
+  TiffRecipe recipe;
+  recipe.bits = 32;
+  recipe.format = SAMPLEFORMAT_IEEEFP;
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  expect_refused(make_tiff<float>(scratch, recipe, {0, nan, 1, inf}),
+                 "holds 2 pixels that are no number (NaN or infinite), the first in row 0, column 1");
+}
+
+TEST(PictureTiff, RefusesKindsThatItCannotRead) {
+  const Scratch scratch;
+  TiffRecipe recipe;
+  recipe.bits = 64;
+  expect_refused(make_tiff<std::uint64_t>(scratch, recipe, {0, 1, 2, 3}), "samples of 64 bits in format 1");
+}
+
+TEST(PictureTiff, RefusesBeginningsAndSurvivesDamage) {
+  const Scratch scratch;
+  TiffRecipe recipe{20, 20};
+  recipe.compression = COMPRESSION_LZW;
+  std::vector<std::uint8_t> data(400);
+  for (std::size_t i = 0; i < data.size(); ++i) data[i] = static_cast<std::uint8_t>(i / 30);
+  for (const int tile : {0, 16}) {
+    recipe.tile = tile;
+    make_tiff(scratch, recipe, data);
+    const FileBytes whole = scratch.read("recipe.tif");
+    // The last four bytes say that there is no second page; the first one is whole without them.
+    EXPECT_LE(specimen_test::read_all_beginnings(scratch, whole), 4);
+    specimen_test::survive_damage(scratch, whole);
+  }
+}
+
+}  // namespace
