@@ -23,7 +23,8 @@ struct TiffMessages {
   std::array<char, 200> text{};  ///< of the first error
 };
 
-int on_error(TIFF*, void* user_data, const char*, const char* format, va_list arguments) {
+[[gnu::format(printf, 4, 0)]] int on_error(TIFF*, void* user_data, const char*, const char* format,
+                                           va_list arguments) {
   auto* messages = static_cast<TiffMessages*>(user_data);
   if (messages->text[0] == '\0')
     (void)std::vsnprintf(messages->text.data(), messages->text.size(), format, arguments);
@@ -69,6 +70,23 @@ int short_tag(TIFF* tiff, std::uint32_t tag, int otherwise) {
   return TIFFGetFieldDefaulted(tiff, tag, &value) == 1 ? value : otherwise;
 }
 
+/// Bytes that one byte of a file can become at most; a claim beyond it is refused before memory is asked for.
+std::int64_t tightest_packing(int compression) {
+  switch (compression) {
+    case COMPRESSION_NONE:
+      return 1;
+    case COMPRESSION_PACKBITS:
+      return 64;
+    case COMPRESSION_DEFLATE:
+    case COMPRESSION_ADOBE_DEFLATE:
+      return 1032;
+    case COMPRESSION_LZW:
+      return 2560;  // a code of 12 bits for the longest string of its table
+    default:
+      return std::int64_t{1} << 20;
+  }
+}
+
 TiffTags read_tags(TIFF* tiff, const PictureSource& source) {
   std::uint32_t rows = 0, cols = 0;
   TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &rows);
@@ -87,8 +105,8 @@ TiffTags read_tags(TIFF* tiff, const PictureSource& source) {
   tags.planes = short_tag(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   if (tags.samples < 1 || tags.samples > 8)
     throw Error(source.path, "has " + std::to_string(tags.samples) + " channels", "1 to 8 are read");
-  if (short_tag(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE) == COMPRESSION_NONE)
-    check_size(source, rows, cols, std::int64_t{rows} * cols * tags.bits / 8);
+  const int compression = short_tag(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
+  check_size(source, rows, cols, std::int64_t{rows} * cols * tags.bits / 8 / tightest_packing(compression));
   return tags;
 }
 
