@@ -66,7 +66,7 @@ void write_run(const fs::path& folder, const RunRecord& record) {
              summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   write_text(folder / "scene.toml", record.scene_toml);
   write_text(folder / "curve.png",
-             output::png_of(output::lay_out(output::stress_chart(record), 640, 400), 2.5));
+             output::png_of(output::lay_out(output::stress_chart(record), 608, 368), 2.5, 16));
   write_picture(folder / "specimen.png", specimen::preview(record.specimen.mask),
                 record.specimen.mask.pixel_size);
   write_damage(folder, record);

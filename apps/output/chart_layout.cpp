@@ -15,11 +15,14 @@ constexpr double line_height = 20;
 constexpr double sample_length = 18;  ///< of the line beside a name in the legend
 constexpr double edge = 2;            ///< kept free all round
 
-/// Mean width of a character of a sans-serif face over its size; a little generous, so that nothing is cut.
+/// As wide as DejaVu Sans, the widest of the usual sans-serif faces, so that nothing is cut in another one.
 double text_width(const std::string& text) {
-  const auto characters = std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-  return 0.58 * text_size * static_cast<double>(characters);
+  double width = 0;
+  for (const char c : text) {
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // of a UTF-8 sequence
+    width += continues ? 0 : c >= '0' && c <= '9' ? 0.64 : 0.58;
+  }
+  return width * text_size;
 }
 
 struct Range {
@@ -168,7 +171,7 @@ Drawing lay_out(const Chart& chart, double width, double height) {
   frame.top = (legend.empty() ? line_height : legend.back().at.y) + 0.6 * line_height;
   frame.bottom = height - 5 - 1.1 * text_size - 1.35 * line_height;
   const Ticks y_ticks = ticks_between(frame.y.low, frame.y.high,
-                                      std::clamp(static_cast<int>((frame.bottom - frame.top) / 38), 2, 8));
+                                      std::clamp(static_cast<int>((frame.bottom - frame.top) / 32), 2, 8));
   frame.left = edge + widest(y_ticks) + 8;
   const Ticks x_ticks =
       ticks_between(frame.x.low, frame.x.high, std::clamp(static_cast<int>(width / 75), 2, 12));

@@ -78,13 +78,14 @@ struct Draw {
 
 }  // namespace
 
-std::string png_of(const Drawing& drawing, double scale) {
-  const Surface surface = blank(static_cast<int>(std::lround(scale * drawing.width)),
-                                static_cast<int>(std::lround(scale * drawing.height)));
+std::string png_of(const Drawing& drawing, double scale, double margin) {
+  const Surface surface = blank(static_cast<int>(std::lround(scale * (drawing.width + 2 * margin))),
+                                static_cast<int>(std::lround(scale * (drawing.height + 2 * margin))));
   const Pen pen(cairo_create(surface.get()), cairo_destroy);
   cairo_set_source_rgb(pen.get(), 1, 1, 1);
   cairo_paint(pen.get());
   cairo_scale(pen.get(), scale, scale);
+  cairo_translate(pen.get(), margin, margin);
   cairo_select_font_face(pen.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   for (const Shape& shape : drawing.shapes) std::visit(Draw{pen.get()}, shape);
   require(cairo_status(pen.get()));

@@ -48,6 +48,15 @@ TEST(PngOfDrawing, DrawsLinesWhereTheyAre) {
   EXPECT_EQ(picture(20, 95), (Rgb{255, 255, 255}));
 }
 
+TEST(PngOfDrawing, LeavesAMarginOfPaper) {
+  const Drawing drawing{10, 10, "", {Stroke{{{0, 5}, {10, 5}}, Ink::first, 2, false}}};
+  const Raster<Rgb> picture = decoded(png_of(drawing, 2, 3));
+  EXPECT_EQ(picture.cols, 32);
+  EXPECT_EQ(picture.rows, 32);
+  EXPECT_EQ(picture(16, 5), (Rgb{255, 255, 255}));
+  EXPECT_EQ(picture(16, 6), on_light_paper(Ink::first));
+}
+
 TEST(PngOfDrawing, DrawsNothingBetweenShapes) {
   const Drawing drawing{100, 100, "", {Words{{10, 10}, "x"}, Stroke{{{10, 90}, {90, 90}}}, Dot{{90, 10}, 3}}};
   const Raster<Rgb> picture = decoded(png_of(drawing, 1));
