@@ -63,8 +63,8 @@ TEST(SettingOptions, ValuesMayBeginWithADash) {
 }
 
 TEST(SettingOptions, SwitchesNeedNoValueAndTakeOneBehindAnEqualsSign) {
-  expect_one({"--walraven"}, "generate.walraven", {true}, "--walraven");
-  expect_one({"--walraven=false"}, "generate.walraven", {false}, "--walraven");
+  expect_one({"--generate.walraven"}, "generate.walraven", {true}, "--generate.walraven");
+  expect_one({"--generate.walraven=false"}, "generate.walraven", {false}, "--generate.walraven");
 }
 
 TEST(SettingOptions, PhasesOfAnyNameHaveOptions) {
@@ -117,7 +117,7 @@ TEST(Help, ShowsNameTypeHelpAndDefault) {
   const Parsed parsed({});
   const std::string help = parsed.command.help();
   EXPECT_THAT(help, HasSubstr("--velocity VELOCITY                 of the top platen [0.05 m/s]\n"));
-  EXPECT_THAT(help, HasSubstr("--crack-closure                     a point that failed"));
+  EXPECT_THAT(help, HasSubstr("--itz-mode ring|points|none         ITZ as pixels"));
   EXPECT_THAT(help, HasSubstr("--PHASE.young PRESSURE"));
   EXPECT_THAT(help, HasSubstr("\nLoading:\n"));
   EXPECT_THAT(help, testing::Not(HasSubstr("generate.fraction")));

@@ -255,7 +255,9 @@ TEST_F(Program, SimulateCropsToWholeCellsAndKeepsTheNote) {
 }
 
 TEST_F(Program, SimulateKeepsWhatWasComputedBeforeItDiverged) {
-  make_small_specimen("a.h5");
+  ASSERT_EQ(run({"generate", "--width", "30 mm", "--height", "30 mm", "--pixel-size", "1 mm", "--fraction",
+                 "0.3", "--d-max", "10 mm", "-o", "a.h5"}),
+            Exit::ok);
   EXPECT_EQ(run({"simulate", "a.h5", "--cfl", "1", "--local-damping", "0.99", "-o", "b"}), Exit::data);
   EXPECT_THAT(err_.str(), HasSubstr("mesopix: simulate: "));
   EXPECT_THAT(err_.str(), HasSubstr("; what was computed is in b\n"));

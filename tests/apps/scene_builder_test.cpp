@@ -116,7 +116,7 @@ TEST(CropToCells, CutsAtTheTopAndAtTheRight) {
   EXPECT_EQ(notes[0],
             "the specimen was cropped from 3 x 3 to 2 x 2 pixels, at its top and right edges, to whole cells "
             "of 2 x 2 "
-            "pixels.");
+            "pixels");
   EXPECT_EQ(specimen.mask.labels.data, (std::vector<std::uint8_t>{1, 2, 2, 1}));
 }
 

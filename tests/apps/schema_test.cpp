@@ -33,6 +33,7 @@ std::vector<Value> trial_values() {
           text("otsu"),
           text("red"),
           text("points"),
+          text("clipped"),
           text("rough"),
           text("stress"),
           text("single"),
