@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "specimen/statistics.hpp"
 
@@ -46,8 +47,9 @@ Json sieve_json(const specimen::Specimen& specimen, const specimen::Grading& tar
 
 Json aggregates_json(const specimen::Specimen& specimen, const specimen::Grading& target) {
   double area = 0;
-  double smallest = specimen.inclusions.empty() ? NAN : INFINITY;
-  double largest = specimen.inclusions.empty() ? NAN : 0;
+  using Limits = std::numeric_limits<double>;
+  double smallest = specimen.inclusions.empty() ? Limits::quiet_NaN() : Limits::infinity();
+  double largest = specimen.inclusions.empty() ? Limits::quiet_NaN() : 0;
   for (const specimen::Inclusion& inclusion : specimen.inclusions) {
     area += inclusion.area;
     smallest = std::min(smallest, inclusion.equivalent_diameter);
