@@ -182,6 +182,8 @@ std::vector<Field> solver_fields() {
   using mpm::Plane;
   using mpm::Precision;
   const Choice<Plane> plane{{{"strain", Plane::strain}, {"stress", Plane::stress}}};
+  const Choice<std::string> instruction_set{
+      {{"auto", ""}, {"avx512", "avx512"}, {"avx2", "avx2"}, {"baseline", "baseline"}}};
   const Choice<Precision> precision{{{"double", Precision::double_}, {"single", Precision::single}}};
   return {
       field("solver.plane", plane, "plane strain or plane stress", MEMBER(scene.plane)),
@@ -192,6 +194,8 @@ std::vector<Field> solver_fields() {
       field("solver.local_damping", ratio(below(0, 1)),
             "share of the unbalanced force that opposes the motion", MEMBER(scene.local_damping)),
       field("solver.precision", precision, "of stresses", MEMBER(scene.precision)),
+      field("solver.instruction_set", instruction_set,
+            "of the sweeps; auto = the fastest that the processor has", MEMBER(scene.instruction_set)),
       field("solver.threads", Integer<>{{between(1, 1024), {}}}, "does not change the result",
             MEMBER(scene.threads)),
   };

@@ -61,6 +61,17 @@ Outcome solve(const mpm::Scene& scene, Console& console) {
   }
 }
 
+/// Share of the platen work that the ledger of energies may miss without a word.
+constexpr double tolerated_energy_error = 0.01;
+
+std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
+  const bool clipped = scene.damage.crack_closure == mpm::CrackClosure::clipped;
+  return fmt::format("the ledger of energies is off by {:.2g} % of the platen work; {}",
+                     100 * result.energy_error,
+                     clipped ? "damage.crack_closure = \"clipped\" does not keep energy, \"unilateral\" does"
+                             : "try a smaller solver.cfl");
+}
+
 std::string result_text(const mpm::Result& result) {
   return fmt::format(
       "peak {:.4g} MPa at strain {:.4g}e-6, {} tension and {} shear failures, {} steps in {:.2f} s",
@@ -126,6 +137,10 @@ Exit SimulateCommand::run(Console& console) {
   const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
   const Outcome outcome = solve(scene, console);
   if (!outcome.divergence.empty()) prepared.notes.push_back(outcome.divergence);
+  if (outcome.divergence.empty() && outcome.result.energy_error > tolerated_energy_error) {
+    prepared.notes.push_back(energy_note(outcome.result, scene));
+    console.say("warning: " + prepared.notes.back());
+  }
   const std::string toml = scene_text(settings, Extent::whole, folder.path());
   const RunRecord record{
       prepared.specimen, scene,         outcome.result, toml, specimen::sha256_of_text(toml),

@@ -1,6 +1,5 @@
 #include "libmpm/instruction_set.hpp"
 
-#include <cstdlib>
 #include <string>
 
 #include "libmpm/error.hpp"
@@ -23,16 +22,15 @@ std::vector<const kernels::Kernels*> available_kernels() {
   return available;
 }
 
-const kernels::Kernels& chosen_kernels() {
+const kernels::Kernels& chosen_kernels(std::string_view name) {
   const auto available = available_kernels();
-  const char* wanted = std::getenv("MESOPIX_INSTRUCTION_SET");
-  if (wanted == nullptr || *wanted == '\0') return *available.front();
+  if (name.empty()) return *available.front();
   std::string names;
   for (const auto* kernels : available) {
-    if (std::string_view(wanted) == kernels->name) return *kernels;
+    if (name == kernels->name) return *kernels;
     names += (names.empty() ? "" : ", ") + std::string(kernels->name);
   }
-  throw Error("MESOPIX_INSTRUCTION_SET", wanted, "this processor runs " + names);
+  throw Error("solver.instruction_set", std::string(name), "this processor runs " + names);
 }
 
 }  // namespace mpm

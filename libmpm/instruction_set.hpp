@@ -11,8 +11,8 @@ namespace mpm {
 /// The kernels that this processor can run, fastest first; never empty.
 [[nodiscard]] std::vector<const kernels::Kernels*> available_kernels();
 
-/// The fastest of them, or the ones named by the environment variable MESOPIX_INSTRUCTION_SET.
-/// @throws Error when that names none that this processor can run.
-[[nodiscard]] const kernels::Kernels& chosen_kernels();
+/// The kernels of that name, or the fastest ones for an empty name.
+/// @throws Error when this processor runs none of that name.
+[[nodiscard]] const kernels::Kernels& chosen_kernels(std::string_view name);
 
 }  // namespace mpm

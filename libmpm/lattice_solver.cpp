@@ -36,7 +36,7 @@ LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
       grid_(make_grid(scene, plan)),
       points_(make_points<Real>(scene, plan)),
       extra_(make_extra_points(scene, plan)) {
-  const kernels::Kernels& kernels = chosen_kernels();
+  const kernels::Kernels& kernels = chosen_kernels(scene.instruction_set);
   kernels::Features features = plan.features;
   sweep_cells_ = kernels.template cells<Real>(features);
   features.ledger = false;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "libmpm/lattice.hpp"
@@ -39,9 +40,9 @@ struct Loading {
 
 /// What a point that failed in tension does when it is compressed.
 enum class CrackClosure {
-  off,      ///< nothing: it is a ghost point
-  clipped,  ///< it carries its elastic stress with positive principal stresses clipped to zero; opening a
-            ///< crack then relieves compression along it, and energy is not kept (the ledger shows it)
+  off,         ///< nothing: it is a ghost point
+  clipped,     ///< it carries its elastic stress with positive principal stresses clipped to zero; opening a
+               ///< crack then relieves compression along it, and energy is not kept (the ledger shows it)
   unilateral,  ///< the same without what Poisson's effect of the opening did to the stress along the crack;
                ///< keeps energy
 };
@@ -65,7 +66,9 @@ struct Scene {
   double local_damping = 0;  ///< share of the unbalanced force that opposes the motion [-], in [0, 1)
   double cfl = 0.5;          ///< time step over cell size by fastest wave speed [-], in (0, 1]
   Precision precision = Precision::double_;
-  int threads = 1;          ///< >= 1; does not change the result
+  int threads = 1;  ///< >= 1; does not change the result
+  std::string
+      instruction_set;  ///< of the sweeps: baseline, avx2, avx512; empty = the fastest that the processor has
   int history_rows = 1000;  ///< rows of the history up to stop_strain, >= 10
 
   [[nodiscard]] double width() const { return static_cast<double>(labels.cols()) * pixel_size; }   ///< [m]

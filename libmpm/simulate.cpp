@@ -89,7 +89,7 @@ Result run(const Scene& scene, const Plan& plan, const Observer& observer) {
   Result result;
   result.points = count_points(scene);
   result.dt = plan.dt;
-  result.instruction_set = chosen_kernels().name;
+  result.instruction_set = chosen_kernels(scene.instruction_set).name;
   result.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
   add_row(result, HistoryRow{});
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 
 #include "specimen/picture_codecs.hpp"
 #include "specimen/picture_header.hpp"
+#include "specimen/replace_file.hpp"
 
 namespace specimen {
 namespace {
@@ -60,11 +62,13 @@ Picture read_picture(const std::string& path, std::int64_t max_pixels) {
 }
 
 void write_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size) {
-  write_whole_file(path, encode_png(path, picture, pixel_size));
+  const Bytes bytes = encode_png(path, picture, pixel_size);
+  replace_file(path, std::as_bytes(std::span(bytes)));
 }
 
 void write_labels(const std::string& path, const LabelledMask& mask) {
-  write_whole_file(path, encode_labels(path, mask));
+  const Bytes bytes = encode_labels(path, mask);
+  replace_file(path, std::as_bytes(std::span(bytes)));
 }
 
 }  // namespace specimen

@@ -1,4 +1,4 @@
-/// Files of pictures: opening, exact reading, and writing that never leaves half a file behind.
+/// Files of pictures: opening and exact reading.
 #pragma once
 
 #include <cstdint>
@@ -34,9 +34,5 @@ struct PictureSource {
 
 /// Read exactly `count` bytes.   @throws Error when the file ends before.
 void read_exactly(const PictureSource& source, std::uint8_t* bytes, std::size_t count);
-
-/// Write all bytes to a temporary name beside `path`, flush them to the disk, then rename: `path` holds
-/// either what it held before or all of the bytes.   @throws Error (Fault::write) with the system's reason.
-void write_whole_file(const std::string& path, const Bytes& bytes);
 
 }  // namespace specimen

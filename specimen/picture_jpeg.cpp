@@ -148,7 +148,9 @@ Picture read_jpeg(const PictureSource& source) {
     return bad_picture(source.path, std::string("is a damaged JPEG: ") + reader.errors.text.data());
   };
   if (!read_header(reader, source.file.get())) throw damaged();
-  check_size(source, reader.jpeg.image_height, reader.jpeg.image_width, 0);
+  const std::int64_t n_rows = reader.jpeg.image_height, n_cols = reader.jpeg.image_width;
+  // A block takes a bit at least, and at the coarsest sampling it covers 32 x 32 pixels.
+  check_size(source, n_rows, n_cols, n_rows * n_cols / (8 * 32 * 32));
   if (!start(reader)) throw damaged();
 
   Picture picture;

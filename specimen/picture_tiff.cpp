@@ -1,53 +1,17 @@
-#include <tiffio.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <utility>
 
 #include "specimen/picture_codecs.hpp"
 #include "specimen/picture_header.hpp"
 #include "specimen/picture_palette.hpp"
+#include "specimen/tiff_handle.hpp"
 
 namespace specimen {
 namespace {
-
-/// libtiff asks for at most this much at once [bytes], whatever a file claims.
-constexpr tmsize_t largest_allocation = tmsize_t{1} << 30;
-
-struct TiffMessages {
-  std::array<char, 200> text{};  ///< of the first error
-};
-
-int on_error(TIFF*, void* user_data, const char*, const char* format, va_list arguments) {
-  auto* messages = static_cast<TiffMessages*>(user_data);
-  if (messages->text[0] == '\0')
-    (void)std::vsnprintf(messages->text.data(), messages->text.size(), format, arguments);
-  return 1;  // told here, not on the terminal
-}
-
-int on_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
-
-struct TiffDeleter {
-  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-  void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
-};
-using TiffHandle = std::unique_ptr<TIFF, TiffDeleter>;
-using TiffOptions = std::unique_ptr<TIFFOpenOptions, TiffDeleter>;
-
-TiffOptions quiet_options(TiffMessages& messages) {
-  TiffOptions options(TIFFOpenOptionsAlloc());
-  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), largest_allocation);
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, &messages);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, nullptr);
-  return options;
-}
-
-// ---- reading ----
 
 struct TiffTags {
   int rows = 0, cols = 0, samples = 1;  ///< samples a pixel, extra ones (opacity) included
@@ -69,6 +33,23 @@ int short_tag(TIFF* tiff, std::uint32_t tag, int otherwise) {
   return TIFFGetFieldDefaulted(tiff, tag, &value) == 1 ? value : otherwise;
 }
 
+/// Bytes that one byte of a file can become at most; a claim beyond it is refused before memory is asked for.
+std::int64_t tightest_packing(int compression) {
+  switch (compression) {
+    case COMPRESSION_NONE:
+      return 1;
+    case COMPRESSION_PACKBITS:
+      return 64;
+    case COMPRESSION_DEFLATE:
+    case COMPRESSION_ADOBE_DEFLATE:
+      return 1032;
+    case COMPRESSION_LZW:
+      return 2560;  // a code of 12 bits for the longest string of its table
+    default:
+      return std::int64_t{1} << 20;
+  }
+}
+
 TiffTags read_tags(TIFF* tiff, const PictureSource& source) {
   std::uint32_t rows = 0, cols = 0;
   TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &rows);
@@ -87,8 +68,8 @@ TiffTags read_tags(TIFF* tiff, const PictureSource& source) {
   tags.planes = short_tag(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   if (tags.samples < 1 || tags.samples > 8)
     throw Error(source.path, "has " + std::to_string(tags.samples) + " channels", "1 to 8 are read");
-  if (short_tag(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE) == COMPRESSION_NONE)
-    check_size(source, rows, cols, std::int64_t{rows} * cols * tags.bits / 8);
+  const int compression = short_tag(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
+  check_size(source, rows, cols, std::int64_t{rows} * cols * tags.bits / 8 / tightest_packing(compression));
   return tags;
 }
 
@@ -283,91 +264,8 @@ class TiffReader {
   TiffHandle tiff_;  // after messages_: closing may still report
 };
 
-// ---- writing, into memory ----
-
-struct Memory {
-  Bytes bytes;
-  std::size_t at = 0;
-};
-
-tmsize_t memory_read(thandle_t handle, void* data, tmsize_t count) {
-  auto* memory = static_cast<Memory*>(handle);
-  const std::size_t left = memory->bytes.size() - std::min(memory->at, memory->bytes.size());
-  const std::size_t taken = std::min(left, static_cast<std::size_t>(count));
-  std::copy_n(memory->bytes.begin() + static_cast<std::ptrdiff_t>(memory->at), taken,
-              static_cast<std::uint8_t*>(data));
-  memory->at += taken;
-  return static_cast<tmsize_t>(taken);
-}
-
-tmsize_t memory_write(thandle_t handle, void* data, tmsize_t count) {
-  auto* memory = static_cast<Memory*>(handle);
-  const std::size_t end = memory->at + static_cast<std::size_t>(count);
-  try {
-    if (end > memory->bytes.size()) memory->bytes.resize(end);
-  } catch (const std::exception&) {  // must not fly through libtiff
-    return 0;
-  }
-  std::copy_n(static_cast<const std::uint8_t*>(data), count,
-              memory->bytes.begin() + static_cast<std::ptrdiff_t>(memory->at));
-  memory->at = end;
-  return count;
-}
-
-toff_t memory_seek(thandle_t handle, toff_t offset, int whence) {
-  auto* memory = static_cast<Memory*>(handle);
-  if (whence == SEEK_CUR) offset += memory->at;
-  if (whence == SEEK_END) offset += memory->bytes.size();
-  return memory->at = offset;
-}
-
-int memory_close(thandle_t) { return 0; }
-toff_t memory_size(thandle_t handle) { return static_cast<Memory*>(handle)->bytes.size(); }
-
-void set_tags(TIFF* tiff, const Raster<std::uint8_t>& labels, double pixel_size) {
-  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, labels.cols);
-  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, labels.rows);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
-  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-  TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
-  if (pixel_size <= 0) return;
-  TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_CENTIMETER);
-  TIFFSetField(tiff, TIFFTAG_XRESOLUTION, centimetre / pixel_size);
-  TIFFSetField(tiff, TIFFTAG_YRESOLUTION, centimetre / pixel_size);
-}
-
-bool write_rows(TIFF* tiff, const Raster<std::uint8_t>& labels) {
-  Bytes row(static_cast<std::size_t>(labels.cols));
-  for (int r = 0; r < labels.rows; ++r) {
-    std::copy_n(labels.data.begin() + static_cast<std::ptrdiff_t>(r) * labels.cols, labels.cols, row.begin());
-    if (TIFFWriteScanline(tiff, row.data(), static_cast<std::uint32_t>(r), 0) != 1) return false;
-  }
-  return TIFFFlush(tiff) == 1;
-}
-
 }  // namespace
 
 Picture read_tiff(const PictureSource& source) { return TiffReader(source).read(); }
-
-Bytes encode_tiff(const std::string& path, const Raster<std::uint8_t>& labels, double pixel_size) {
-  Memory memory;
-  TiffMessages messages;
-  const TiffOptions options = quiet_options(messages);
-  TiffHandle tiff(TIFFClientOpenExt(path.c_str(), "w", &memory, memory_read, memory_write, memory_seek,
-                                    memory_close, memory_size, nullptr, nullptr, options.get()));
-  bool written = tiff != nullptr;
-  if (written) {
-    set_tags(tiff.get(), labels, pixel_size);
-    written = write_rows(tiff.get(), labels);
-  }
-  tiff.reset();
-  if (!written)
-    throw Error(path, std::string("cannot be written as TIFF: ") + messages.text.data(), "", "",
-                Fault::write);
-  return std::move(memory.bytes);
-}
 
 }  // namespace specimen

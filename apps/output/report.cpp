@@ -27,7 +27,8 @@ std::string report_html(const RunRecord& record) {
   return "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n" + head(record) +
          "<body>\n<main>\n" + header_html(record) + curve_section(record) + damage_section(record) +
          specimen_section(record) + ledger_section(record) + solution_section(record) +
-         scene_section(record) + citation_section(record) + "</main>\n</body>\n</html>\n";
+         notes_section(record) + scene_section(record) + citation_section(record) +
+         "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace output

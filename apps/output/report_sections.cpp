@@ -25,13 +25,6 @@ std::string size_in_pixels(const specimen::LabelledMask& mask) {
   return grouped(mask.labels.cols) + " × " + grouped(mask.labels.rows);
 }
 
-std::string notes_html(const RunRecord& record) {
-  if (record.notes.empty()) return "";
-  std::string html = "<aside class=\"notes\">\n<h3>Notes</h3>\n<ul>\n";
-  for (const std::string& note : record.notes) html += fmt::format("<li>{}</li>\n", escape(note));
-  return html + "</ul>\n</aside>\n";
-}
-
 std::vector<Fact> strength_facts(const mpm::Result& result) {
   const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
   return {{"Peak stress", rounded(1e-6 * result.peak_stress), "MPa"},
@@ -145,8 +138,15 @@ std::string header_html(const RunRecord& record) {
       "{} at {} m/s, {} platens, {}; {} mm, {} pixels", capitalised(word_of(scene.loading.direction)),
       trimmed(scene.loading.velocity), word_of(scene.loading.platen), word_of(scene.plane),
       size_in_mm(record.specimen.mask), size_in_pixels(record.specimen.mask));
-  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n{}</header>\n",
-                     escape(title_of(record)), escape(setting), notes_html(record));
+  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n</header>\n",
+                     escape(title_of(record)), escape(setting));
+}
+
+std::string notes_section(const RunRecord& record) {
+  if (record.notes.empty()) return "";
+  std::string html = "<ul class=\"notes\">\n";
+  for (const std::string& note : record.notes) html += fmt::format("<li>{}</li>\n", escape(note));
+  return section("Notes", html + "</ul>\n");
 }
 
 std::string curve_section(const RunRecord& record) {

@@ -23,8 +23,7 @@ h3 { margin: 0 0 6px; font-size: 16px; font-weight: 600; }
 p { margin: 0 0 12px; max-width: 44em; }
 .setting { color: var(--muted); margin: 0; max-width: none; }
 section { margin-top: 44px; padding-top: 20px; border-top: 1px solid var(--rule); }
-.notes { margin-top: 22px; padding: 14px 18px; background: var(--panel); border-radius: 6px; }
-.notes ul { margin: 0; padding-left: 1.2em; }
+.notes { margin: 0; padding-left: 1.2em; }
 .notes li { overflow-wrap: anywhere; }
 figure { margin: 0; }
 figcaption { color: var(--muted); font-size: 14px; line-height: 1.45; margin-top: 6px; max-width: 44em; }

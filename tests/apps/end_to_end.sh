@@ -105,8 +105,8 @@ fi
 
 # What lies in data/ is as its README says.
 for scene in two_aggregates concrete_tension concrete_compression; do expect 0 simulate "$data/$scene.toml" --print-scene; done
-expect 0 generate -o fresh.png
-expect 0 convert fresh.png -o fresh_labels.png
+expect 0 generate --itz-mode none -o fresh.h5
+expect 0 convert fresh_preview.png -o fresh_labels.png
 expect 0 convert "$data/concrete.png" -o concrete_labels.png
 same fresh_labels.png concrete_labels.png
 

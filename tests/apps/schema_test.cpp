@@ -36,6 +36,7 @@ std::vector<Value> trial_values() {
           text("clipped"),
           text("rough"),
           text("stress"),
+          text("baseline"),
           text("single"),
           text("compression"),
           text("some words"),

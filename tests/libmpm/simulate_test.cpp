@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
 #include "libmpm/error.hpp"
@@ -193,17 +192,16 @@ TEST(Threads, GiveTheSameBits) {
 }
 
 TEST(InstructionSets, AgreeToRounding) {
-  const Scene scene = samples::pulled(samples::unbreakable(samples::small_concrete()));
+  Scene scene = samples::pulled(samples::unbreakable(samples::small_concrete()));
   const Result fastest = mpm::simulate(scene);
   for (const auto* kernels : mpm::available_kernels()) {
-    ASSERT_EQ(setenv("MESOPIX_INSTRUCTION_SET", kernels->name, 1), 0);
+    scene.instruction_set = kernels->name;
     const Result result = mpm::simulate(scene);
     EXPECT_EQ(result.instruction_set, kernels->name);
     EXPECT_NEAR(result.history.back().stress, fastest.history.back().stress, 1e-9 * fastest.peak_stress);
   }
-  setenv("MESOPIX_INSTRUCTION_SET", "abacus", 1);
+  scene.instruction_set = "abacus";
   EXPECT_THROW((void)mpm::simulate(scene), mpm::Error);
-  unsetenv("MESOPIX_INSTRUCTION_SET");
 }
 
 // Kernels for one Poisson ratio and for several must agree where both apply: a ratio off by 1e-12 selects the

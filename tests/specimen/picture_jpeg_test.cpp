@@ -4,6 +4,7 @@
 // jpeglib.h needs size_t and FILE before it.
 #include <jpeglib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -125,6 +126,24 @@ TEST(PictureJpeg, RefusesAFileThatEndsTooEarly) {
   const FileBytes whole = make_jpeg(colours());
   const FileBytes half(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() - 40));
   expect_refused(scratch.write("half.jpg", half), "is a damaged JPEG: ");
+}
+
+TEST(PictureJpeg, RefusesAHugeClaimBeforeItAsksForMemory) {
+  const Scratch scratch;
+  FileBytes bytes = make_jpeg(colours());
+  const std::vector<std::uint8_t> frame{0xff, 0xc0, 0, 17, 8};  // then height and width
+  const auto at = std::search(bytes.begin(), bytes.end(), frame.begin(), frame.end());
+  ASSERT_NE(at, bytes.end());
+  const auto claim = [&](int edge) {
+    for (const int i : {5, 7}) {
+      at[i] = static_cast<std::uint8_t>(edge / 256);
+      at[i + 1] = static_cast<std::uint8_t>(edge % 256);
+    }
+  };
+  claim(14000);
+  expect_refused(scratch.write("claim.jpg", bytes), "bytes cannot hold 14000 x 14000 pixels");
+  claim(65000);
+  expect_refused(scratch.write("huge.jpg", bytes), "at most 200000000 pixels are allowed");
 }
 
 TEST(PictureJpeg, RefusesBeginningsAndSurvivesDamage) {

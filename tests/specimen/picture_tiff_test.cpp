@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -153,6 +154,24 @@ TEST(PictureTiff, RefusesValuesThatAreNoNumbers) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   expect_refused(make_tiff<float>(scratch, recipe, {0, nan, 1, inf}),
                  "holds 2 pixels that are no number (NaN or infinite), the first in row 0, column 1");
+}
+
+TEST(PictureTiff, RefusesAHugeClaimBeforeItAsksForMemory) {
+  const Scratch scratch;
+  for (const int compression : {COMPRESSION_NONE, COMPRESSION_LZW}) {
+    TiffRecipe recipe;
+    recipe.compression = compression;
+    make_tiff<std::uint8_t>(scratch, recipe, {1, 2, 3, 4});
+    FileBytes bytes = scratch.read("recipe.tif");
+    for (const std::uint8_t tag : {0x00, 0x01}) {  // width and length: 0x100 and 0x101
+      std::vector<std::uint8_t> entry{tag, 1, 3, 0, 1, 0, 0, 0, 2, 0, 0, 0};
+      const auto at = std::search(bytes.begin(), bytes.end(), entry.begin(), entry.end());
+      ASSERT_NE(at, bytes.end());
+      at[8] = 0xb0;
+      at[9] = 0x36;  // 14,000
+    }
+    expect_refused(scratch.write("claim.tif", bytes), "bytes cannot hold 14000 x 14000 pixels");
+  }
 }
 
 TEST(PictureTiff, RefusesKindsThatItCannotRead) {
