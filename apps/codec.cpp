@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "apps/number_text.hpp"
+
 namespace app {
 namespace {
 

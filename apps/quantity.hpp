@@ -24,9 +24,6 @@ enum class Dimension { ratio, length, area, pressure, angle, velocity, density, 
 /// The shortest text in a readable unit that parse_quantity reads back to the same double.
 [[nodiscard]] std::string format_quantity(double value, Dimension dimension);
 
-/// The shortest text that reads back to the same double; "0.0004", "2e-7".
-[[nodiscard]] std::string format_number(double value);
-
 /// Whether a unit of this name measures the dimension.
 [[nodiscard]] bool is_unit(std::string_view unit, Dimension dimension);
 

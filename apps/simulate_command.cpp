@@ -79,6 +79,34 @@ std::string result_text(const mpm::Result& result) {
       result.steps, result.wall_time);
 }
 
+/// What is solved, and what was noted on the way there.
+struct Job {
+  Settings settings;
+  specimen::Specimen specimen;
+  mpm::Scene scene;
+  std::vector<std::string> notes;
+};
+
+Job prepare_job(Settings settings, Console& console) {
+  Prepared prepared = prepare_specimen(settings);
+  for (std::string& note : crop_to_cells(prepared.specimen, settings.scene.points_per_cell))
+    prepared.notes.push_back(std::move(note));
+  for (const std::string& note : prepared.notes) console.say("note: " + note);
+  mpm::Scene scene = build_scene(prepared.specimen, settings);
+  mpm::validate(scene);
+  return {std::move(settings), std::move(prepared.specimen), std::move(scene), std::move(prepared.notes)};
+}
+
+/// What the run itself leaves to be noted.
+void note_outcome(const Outcome& outcome, Job& job, Console& console) {
+  if (!outcome.divergence.empty()) {
+    job.notes.push_back(outcome.divergence);
+  } else if (outcome.result.energy_error > tolerated_energy_error) {
+    job.notes.push_back(energy_note(outcome.result, job.scene));
+    console.say("warning: " + job.notes.back());
+  }
+}
+
 /// The folder that was made for a run disappears again when the run could not begin.
 class FreshFolder {
  public:
@@ -94,6 +122,16 @@ class FreshFolder {
  private:
   fs::path path_;
 };
+
+/// @throws Rejected when the physics went wrong.
+Exit exit_of(const Outcome& outcome, const fs::path& folder, Console& console) {
+  if (!outcome.divergence.empty())
+    throw Rejected(Exit::data,
+                   complaint("simulate", outcome.divergence, "what was computed is in " + folder.string()));
+  if (outcome.result.stop != mpm::StopReason::interrupted) return Exit::ok;
+  console.say("interrupted; what was computed is kept");
+  return Exit::interrupted;
+}
 
 }  // namespace
 
@@ -127,39 +165,20 @@ Exit SimulateCommand::run(Console& console) {
     console.out << scene_text(settings, Extent::whole, fs::current_path());
     return Exit::ok;
   }
-  Prepared prepared = prepare_specimen(settings);
-  for (std::string& note : crop_to_cells(prepared.specimen, settings.scene.points_per_cell))
-    prepared.notes.push_back(std::move(note));
-  for (const std::string& note : prepared.notes) console.say("note: " + note);
-  const mpm::Scene scene = build_scene(prepared.specimen, settings);
-  mpm::validate(scene);
-
+  Job job = prepare_job(std::move(settings), console);
   const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
-  const Outcome outcome = solve(scene, console);
-  if (!outcome.divergence.empty()) prepared.notes.push_back(outcome.divergence);
-  if (outcome.divergence.empty() && outcome.result.energy_error > tolerated_energy_error) {
-    prepared.notes.push_back(energy_note(outcome.result, scene));
-    console.say("warning: " + prepared.notes.back());
-  }
-  const std::string toml = scene_text(settings, Extent::whole, folder.path());
-  const RunRecord record{
-      prepared.specimen, scene,         outcome.result, toml, specimen::sha256_of_text(toml),
-      settings.title,    prepared.notes};
+  const Outcome outcome = solve(job.scene, console);
+  note_outcome(outcome, job, console);
+  const std::string toml = scene_text(job.settings, Extent::whole, folder.path());
+  const RunRecord record{job.specimen,       job.scene, outcome.result, toml, specimen::sha256_of_text(toml),
+                         job.settings.title, job.notes};
   write_run(folder.path(), record);
   if (json_)
     console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   else
     console.say(result_text(outcome.result));
   console.say("wrote " + folder.path().string());
-
-  if (!outcome.divergence.empty())
-    throw Rejected(Exit::data, complaint("simulate", outcome.divergence,
-                                         "what was computed is in " + folder.path().string()));
-  if (outcome.result.stop == mpm::StopReason::interrupted) {
-    console.say("interrupted; what was computed is kept");
-    return Exit::interrupted;
-  }
-  return Exit::ok;
+  return exit_of(outcome, folder.path(), console);
 }
 
 }  // namespace app

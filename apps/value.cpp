@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/complaint.hpp"
-#include "apps/quantity.hpp"
+#include "apps/number_text.hpp"
 
 namespace app {
 namespace {

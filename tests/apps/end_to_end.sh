@@ -62,7 +62,11 @@ same runs/scene/curve.csv runs/scene-2/curve.csv
 expect 0 simulate scene.toml -o other --seed 2
 cmp -s runs/scene/curve.csv other/curve.csv && fail "another seed gave the same curve"
 printf 'x_mm,y_mm,a_mm,b_mm\n15,15,8,5\n' >list.csv
-expect 0 generate --ellipses list.csv --width "30 mm" --height "30 mm" --pixel-size "1 mm" -o list.h5
+printf '[specimen]\nellipses = "list.csv"\n[generate]\nwidth = "30 mm"\nheight = "30 mm"\npixel_size = "1 mm"\n' >list.toml
+expect 0 simulate list.toml -o listed
+rm list.csv
+expect 0 simulate listed/scene.toml -o listed_again
+same listed/curve.csv listed_again/curve.csv
 
 # JSON is alone on standard output.
 expect 0 simulate specimen.h5 -o third --json

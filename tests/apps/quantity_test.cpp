@@ -108,16 +108,6 @@ TEST(FormatQuantity, ChoosesAReadableUnit) {
   EXPECT_EQ(format_quantity(0, Dimension::length), "0 m");
 }
 
-TEST(FormatNumber, IsPlainWhereItIsShort) {
-  EXPECT_EQ(app::format_number(0.0004), "0.0004");
-  EXPECT_EQ(app::format_number(0.45), "0.45");
-  EXPECT_EQ(app::format_number(149e-6), "0.000149");
-  EXPECT_EQ(app::format_number(2e-7), "2e-7");
-  EXPECT_EQ(app::format_number(-12.5), "-12.5");
-  EXPECT_EQ(app::format_number(1e300), "1e300");
-  EXPECT_EQ(app::format_number(2), "2");
-}
-
 TEST(FormatQuantity, IsReadBackToTheSameDouble) {
   std::mt19937_64 random(7);
   const double extremes[] = {std::numeric_limits<double>::max(),
