@@ -214,6 +214,7 @@ std::string Name::read(const Value& value) const {
 std::string Text::read(const Value& value) const {
   const std::string* text = as_text(value);
   if (text == nullptr) throw Mistake("must be a text in quotes");
+  if (!is_utf8(*text)) throw Mistake("must be text in UTF-8");
   return *text;
 }
 

@@ -130,7 +130,8 @@ void SettingOptions::add_group(CLI::App& app, const Group& group, bool in_help) 
 void SettingOptions::add_field(CLI::App& app, const Group& group, const Field& field, bool in_help) {
   std::string names = "--" + with_dashes(field.key);
   if (in_help) names = "--" + short_option(group, field) + "," + names;
-  const std::string help = described(field.help, default_text(field.get(Settings())));
+  static const Settings defaults;
+  const std::string help = described(field.help, default_text(field.get(defaults)));
   CLI::Option* option =
       field.kind == Kind::boolean ? app.add_flag(names, help) : add_text_option(app, names, help);
   if (field.kind != Kind::boolean) option->type_name(field.type);

@@ -64,6 +64,9 @@ struct Mistake : std::runtime_error {
 /// Text in double quotes with control characters escaped, so that it stays on its line; also a TOML string.
 [[nodiscard]] std::string quoted(const std::string& text);
 
+/// Whether the bytes are UTF-8, as TOML and JSON need them.
+[[nodiscard]] bool is_utf8(const std::string& text);
+
 /// Text without control characters (they become "?"), for what is shown as the user wrote it.
 [[nodiscard]] std::string printable(std::string text);
 

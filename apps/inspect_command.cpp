@@ -144,7 +144,8 @@ InspectCommand::InspectCommand(CLI::App& program)
 Exit InspectCommand::run(Console& console) {
   if (file_.empty()) throw Rejected(Exit::usage, complaint("FILE", "missing", "", "mesopix inspect FILE"));
   const Json figures = inspect(file_);
-  console.out << (json_ ? figures.dump(2) + "\n" : figures_text(figures));
+  console.out << (json_ ? figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"
+                        : figures_text(figures));
   return Exit::ok;
 }
 

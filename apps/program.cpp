@@ -23,7 +23,10 @@ constexpr const char* footer_text =
     "From nothing to a broken specimen:\n"
     "  mesopix generate -o specimen.h5\n"
     "  mesopix simulate specimen.h5\n"
-    "mesopix COMMAND --help tells more.";
+    "mesopix COMMAND --help tells more.\n"
+    "Exit codes: 0 done, 64 wrong usage, 65 wrong data or physics, 70 a bug of ours, 74 input or output "
+    "failed,\n"
+    "75 interrupted with what was computed kept.";
 
 /// The program and its subcommands.
 class Program {

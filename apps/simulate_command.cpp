@@ -147,7 +147,7 @@ Exit SimulateCommand::run(Console& console) {
       settings.title,    prepared.notes};
   write_run(folder.path(), record);
   if (json_)
-    console.out << summary(record).dump(2) << '\n';
+    console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   else
     console.say(result_text(outcome.result));
   console.say("wrote " + folder.path().string());

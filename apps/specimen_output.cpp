@@ -61,7 +61,7 @@ void report_specimen(Console& console, bool as_json, const Prepared& prepared, n
   if (as_json) {
     figures["notes"] = prepared.notes;
     figures["files"] = files;
-    console.out << figures.dump(2) << '\n';
+    console.out << figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     return;
   }
   std::string text = specimen_text(figures);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "specimen/statistics.hpp"
 
@@ -47,18 +47,16 @@ Json sieve_json(const specimen::Specimen& specimen, const specimen::Grading& tar
 
 Json aggregates_json(const specimen::Specimen& specimen, const specimen::Grading& target) {
   double area = 0;
-  using Limits = std::numeric_limits<double>;
-  double smallest = specimen.inclusions.empty() ? Limits::quiet_NaN() : Limits::infinity();
-  double largest = specimen.inclusions.empty() ? Limits::quiet_NaN() : 0;
+  std::vector<double> diameters;
   for (const specimen::Inclusion& inclusion : specimen.inclusions) {
     area += inclusion.area;
-    smallest = std::min(smallest, inclusion.equivalent_diameter);
-    largest = std::max(largest, inclusion.equivalent_diameter);
+    diameters.push_back(inclusion.equivalent_diameter);
   }
+  const auto [smallest, largest] = std::minmax_element(diameters.begin(), diameters.end());
   return {{"count", specimen.inclusions.size()},
           {"area_fraction", area / (specimen.mask.width() * specimen.mask.height())},
-          {"smallest_m", number(smallest)},
-          {"largest_m", number(largest)},
+          {"smallest_m", diameters.empty() ? Json(nullptr) : Json(*smallest)},
+          {"largest_m", diameters.empty() ? Json(nullptr) : Json(*largest)},
           {"sieve", sieve_json(specimen, target)}};
 }
 

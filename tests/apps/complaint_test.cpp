@@ -26,6 +26,15 @@ TEST(Quoted, EscapesAsTomlDoes) {
   EXPECT_EQ(app::quoted("a \"b\" \\ c\n\t\x01"), "\"a \\\"b\\\" \\\\ c\\n\\t\\u0001\"");
 }
 
+TEST(IsUtf8, TellsTextFromOtherBytes) {
+  for (const char* text : {"", "plain", "caf\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"})
+    EXPECT_TRUE(app::is_utf8(text)) << text;
+  // Latin-1; a lone continuation; cut short; overlong; a surrogate; beyond the last code point.
+  for (const char* bytes :
+       {"caf\xE9", "\x80", "\xE2\x82", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80"})
+    EXPECT_FALSE(app::is_utf8(bytes)) << bytes;
+}
+
 TEST(Rejected, TellsEveryComplaint) {
   const app::Rejected rejected(app::Exit::data,
                                {app::complaint("a", "1", "", ""), app::complaint("b", "2", "", "")});

@@ -96,6 +96,7 @@ echo "no picture" >note.png
 expect 65 convert note.png
 printf '\x89HDF\r\n\x1a\n and no more' >broken.h5
 expect 65 simulate broken.h5
+[ "$(wc -l <err)" -eq 1 ] || fail "more than one line for one damaged file: $(cat err)"
 expect 74 generate "${small[@]}" -o no/such/folder.h5
 if [ -e /dev/full ]; then
   "$mesopix" inspect specimen.h5 --json >/dev/full 2>err

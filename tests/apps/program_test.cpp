@@ -102,6 +102,12 @@ TEST_F(Program, RefusesValuesOfOptions) {
       "--grading: fuler; must be fuller, A8, B8, C8, A16, B16, C16, A32, B32 or C32; did you mean fuller?");
 }
 
+TEST_F(Program, RefusesTextThatIsNotUtf8) {
+  make_small_specimen("a.h5");
+  expect_refusal({"simulate", "a.h5", "--title", "caf\xE9"}, Exit::usage,
+                 "--title: caf\xE9; must be text in UTF-8");
+}
+
 TEST_F(Program, LocatesWhatALibraryRefuses) {
   test::write_text("scene.toml", "[generate]\nwidth = \"60.3 mm\"\n");
   expect_refusal({"generate", "scene.toml"}, Exit::data,
