@@ -184,7 +184,7 @@ TEST(Threads, GiveTheSameBits) {
     scene.precision = precision;
     scene.extra_points = {{15e-3, 15e-3, samples::itz}, {10.1e-3, 20e-3, samples::itz}};
     const Result one = mpm::simulate(scene);
-    for (const int threads : {2, 3, 4, 64}) {
+    for (const int threads : {2, 3, 5}) {
       scene.threads = threads;
       EXPECT_TRUE(same_bits(one, mpm::simulate(scene))) << threads << " threads";
     }
