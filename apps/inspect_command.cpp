@@ -24,6 +24,8 @@ const char* stop_text(mpm::StopReason reason) {
   switch (reason) {
     case mpm::StopReason::strain:
       return "strain";
+    case mpm::StopReason::time:
+      return "time";
     case mpm::StopReason::drop:
       return "drop";
     case mpm::StopReason::interrupted:

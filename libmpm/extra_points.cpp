@@ -1,7 +1,6 @@
 #include "libmpm/extra_points.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "libmpm/grid.hpp"
 #include "libmpm/strength.hpp"
@@ -52,9 +51,6 @@ CellForces forces_in_cell(const Stress<double>& s, double xi, double eta, double
 ExtraPoints make_extra_points(const Scene& scene, const Plan& plan) {
   ExtraPoints extra;
   if (scene.extra_points.empty()) return extra;
-  extra.failure_strain.assign(scene.extra_points.size(), std::numeric_limits<float>::quiet_NaN());
-  extra.failure_mode.assign(scene.extra_points.size(), 0);
-
   const auto count = points_per_pixel(scene);
   std::vector<std::vector<std::size_t>> by_row(static_cast<std::size_t>(plan.cells_y));
   for (std::size_t i = 0; i < scene.extra_points.size(); ++i) {

@@ -32,10 +32,8 @@ struct CellPoint {
 };
 
 struct ExtraPoints {
-  std::vector<CellPoint> points;           ///< sorted by row of cells
-  std::vector<std::size_t> row_begin;      ///< shape (cells_y + 1); empty when there are no extra points
-  std::vector<float> failure_strain;       ///< in the order of the scene; NaN = did not fail
-  std::vector<std::uint8_t> failure_mode;  ///< in the order of the scene
+  std::vector<CellPoint> points;       ///< sorted by row of cells
+  std::vector<std::size_t> row_begin;  ///< shape (cells_y + 1); empty when there are no extra points
 };
 
 [[nodiscard]] ExtraPoints make_extra_points(const Scene& scene, const Plan& plan);

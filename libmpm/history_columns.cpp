@@ -2,9 +2,9 @@
 
 namespace mpm {
 
-const std::array<HistoryColumn, 12>& history_columns() {
+const std::array<HistoryColumn, 15>& history_columns() {
   using Row = HistoryRow;
-  static const std::array<HistoryColumn, 12> columns{{
+  static const std::array<HistoryColumn, 15> columns{{
       {"time", "s", "time since the start", &Row::time},
       {"strain", "1", "platen displacement over height, positive in the direction of the loading",
        &Row::strain},
@@ -18,8 +18,11 @@ const std::array<HistoryColumn, 12>& history_columns() {
       {"released", "J/m", "elastic energy that failing points have lost so far, per metre of thickness",
        &Row::released},
       {"damped", "J/m", "energy taken by local damping so far, per metre of thickness", &Row::damped},
+      {"left", "J/m", "energy of the points that have left so far, per metre of thickness", &Row::left},
       {"tension_failures", "1", "points that have failed in tension so far", &Row::tension_failures},
       {"shear_failures", "1", "points that have failed in shear so far", &Row::shear_failures},
+      {"left_points", "1", "points that have left through open edges so far", &Row::left_points},
+      {"moving_points", "1", "points that move; 0 while small strain holds", &Row::moving_points},
   }};
   return columns;
 }

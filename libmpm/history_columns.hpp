@@ -19,6 +19,6 @@ struct HistoryColumn {
 };
 
 /// All columns, in the order of HistoryRow.
-[[nodiscard]] const std::array<HistoryColumn, 12>& history_columns();
+[[nodiscard]] const std::array<HistoryColumn, 15>& history_columns();
 
 }  // namespace mpm

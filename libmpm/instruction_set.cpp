@@ -33,4 +33,14 @@ const kernels::Kernels& chosen_kernels(std::string_view name) {
   throw Error("solver.instruction_set", std::string(name), "this processor runs " + names);
 }
 
+const moving::Kernels& chosen_moving_kernels(std::string_view name) {
+  const kernels::Kernels& same = chosen_kernels(name);
+#ifdef __x86_64__
+  if (&same == &kernels::avx512) return moving::avx512;
+  if (&same == &kernels::avx2) return moving::avx2;
+#endif
+  (void)same;
+  return moving::baseline;
+}
+
 }  // namespace mpm

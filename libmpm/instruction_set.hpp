@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libmpm/kernels.hpp"
+#include "libmpm/moving_kernels.hpp"
 
 namespace mpm {
 
@@ -14,5 +15,8 @@ namespace mpm {
 /// The kernels of that name, or the fastest ones for an empty name.
 /// @throws Error when this processor runs none of that name.
 [[nodiscard]] const kernels::Kernels& chosen_kernels(std::string_view name);
+
+/// The kernels of moving points of the same instruction set.
+[[nodiscard]] const moving::Kernels& chosen_moving_kernels(std::string_view name);
 
 }  // namespace mpm

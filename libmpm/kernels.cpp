@@ -4,25 +4,10 @@
 #include "libmpm/kernels.hpp"
 
 #include "libmpm/stress.hpp"
+#include "libmpm/unroll.hpp"
 
 namespace mpm::kernels {
 namespace {
-
-#define MPM_INLINE __attribute__((always_inline)) inline
-
-template <int I>
-struct Index {
-  static constexpr int value = I;
-};
-
-/// body(Index<0>{}), body(Index<1>{}), ..., unrolled.
-template <int N, int I = 0, class Body>
-MPM_INLINE void unrolled(Body&& body) {
-  if constexpr (I < N) {
-    body(Index<I>{});
-    unrolled<N, I + 1>(body);
-  }
-}
 
 /// What the points of a cell need of its four nodes: differences along its edges, as strain times cell size.
 /// ends[0] is the lower or left edge, ends[1] the upper or right one.

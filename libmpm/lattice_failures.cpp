@@ -78,10 +78,10 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
     if (!points_.cracked.empty()) points_.cracked[at] = 0;
   }
   if (cracked) {
-    crush_strain_(pixel_row, pixel_col) = static_cast<float>(strain);
+    maps_.crush_strain(pixel_row, pixel_col) = static_cast<float>(strain);
   } else {
-    failure_strain_(pixel_row, pixel_col) = static_cast<float>(strain);
-    failure_mode_(pixel_row, pixel_col) = static_cast<std::uint8_t>(mode);
+    maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
+    maps_.failure_mode(pixel_row, pixel_col) = static_cast<std::uint8_t>(mode);
   }
   return true;
 }
@@ -143,8 +143,8 @@ void LatticeSolver<Real>::fail_extra_point(Band& band, int row, CellPoint& point
       point.share *
       released_energy(point.state, stress_at(point.stiffness, row, point.cell, point.xi, point.eta), mode);
   if (point.state.crack == CrackClosure::off) {
-    extra_.failure_strain[point.index] = static_cast<float>(strain);
-    extra_.failure_mode[point.index] = static_cast<std::uint8_t>(mode);
+    maps_.extra_failure_strain[point.index] = static_cast<float>(strain);
+    maps_.extra_failure_mode[point.index] = static_cast<std::uint8_t>(mode);
   }
   if (plan_.features.crack_closure && mode == FailureMode::tension) {
     point.state.crack = scene_.damage.crack_closure;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <barrier>
 #include <cmath>
-#include <limits>
 #include <thread>
 
 #include "libmpm/instruction_set.hpp"
@@ -35,7 +34,8 @@ LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
       plan_(plan),
       grid_(make_grid(scene, plan)),
       points_(make_points<Real>(scene, plan)),
-      extra_(make_extra_points(scene, plan)) {
+      extra_(make_extra_points(scene, plan)),
+      maps_(empty_maps(scene, plan)) {
   const kernels::Kernels& kernels = chosen_kernels(scene.instruction_set);
   kernels::Features features = plan.features;
   sweep_cells_ = kernels.template cells<Real>(features);
@@ -56,7 +56,6 @@ LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
   no_force_.resize(points_.stride);
   find_pinned_node();
   make_bands();
-  if (plan.features.check != kernels::Check::none) make_maps();
 }
 
 template <class Real>
@@ -71,14 +70,6 @@ void LatticeSolver<Real>::make_bands() {
       buffer->resize(points_.stride);
     band.suspects.assign(static_cast<std::size_t>(points_.stride), kernels::Flag<Real>{0});
   }
-}
-
-template <class Real>
-void LatticeSolver<Real>::make_maps() {
-  failure_strain_.setConstant(scene_.labels.rows(), scene_.labels.cols(),
-                              std::numeric_limits<float>::quiet_NaN());
-  failure_mode_.setZero(scene_.labels.rows(), scene_.labels.cols());
-  if (plan_.features.crack_closure) crush_strain_ = failure_strain_;
 }
 
 /// A smooth platen leaves the specimen free to slide; the node nearest the middle of the bottom holds it.
@@ -102,6 +93,7 @@ void LatticeSolver<Real>::find_pinned_node() {
 
 template <class Real>
 Ledger LatticeSolver<Real>::advance(std::int64_t steps) {
+  steps = std::min(steps, plan_.steps + 1 - clock_.step);
   std::barrier<> barrier(static_cast<std::ptrdiff_t>(bands_.size()));
   const Clock start = clock_;
   {
@@ -271,6 +263,7 @@ void LatticeSolver<Real>::record_reaction(bool top, double reaction, const Clock
 template <class Real>
 Ledger LatticeSolver<Real>::balance() const {
   Ledger ledger;
+  ledger.time = static_cast<double>(clock_.step - 1) * plan_.dt;
   ledger.platen_displacement = std::abs(clock_.displacement);
   ledger.force_top = top_.force;
   ledger.force_bottom = bottom_.force;
@@ -292,11 +285,7 @@ Ledger LatticeSolver<Real>::balance() const {
 
 template <class Real>
 void LatticeSolver<Real>::take_maps(Result& result) {
-  result.failure_strain = std::move(failure_strain_);
-  result.failure_mode = std::move(failure_mode_);
-  result.crush_strain = std::move(crush_strain_);
-  result.extra_failure_strain = std::move(extra_.failure_strain);
-  result.extra_failure_mode = std::move(extra_.failure_mode);
+  maps_.move_to(result);
 }
 
 template class LatticeSolver<float>;

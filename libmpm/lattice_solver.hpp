@@ -10,26 +10,13 @@
 #include "libmpm/extra_points.hpp"
 #include "libmpm/grid.hpp"
 #include "libmpm/lattice_points.hpp"
+#include "libmpm/ledger.hpp"
+#include "libmpm/moving_start.hpp"
 #include "libmpm/plan.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene.hpp"
 
 namespace mpm {
-
-/// What a stretch of steps ends with, for the history. Forces are those on the specimen, up is positive.
-struct Ledger {
-  double platen_displacement = 0;  ///< [m], its amount
-  double force_top = 0;            ///< [N/m]
-  double force_bottom = 0;         ///< [N/m]
-  double platen_work = 0;          ///< [J/m]
-  double kinetic = 0;              ///< [J/m]
-  double elastic = 0;              ///< [J/m]
-  double released = 0;             ///< [J/m]
-  double damped = 0;               ///< [J/m]
-  std::int64_t tension_failures = 0;
-  std::int64_t shear_failures = 0;
-  std::int64_t diverged_at = -1;  ///< step at which a reaction stopped being a number; -1 = none did
-};
 
 template <class Real>
 class LatticeSolver {
@@ -37,8 +24,19 @@ class LatticeSolver {
   /// The scene and the plan must outlive the solver.
   LatticeSolver(const Scene& scene, const Plan& plan);
 
-  /// Take `steps` time steps (>= 1) on all threads; the ledger is that of the last of them.
+  /// Take up to `steps` time steps (>= 1) on all threads, but none beyond the last of the plan; the ledger is
+  /// that of the last of them.
   [[nodiscard]] Ledger advance(std::int64_t steps);
+
+  [[nodiscard]] std::int64_t steps() const { return clock_.step; }
+  /// The state that a step begins with is the one it reports, so the last step is one past the strain asked
+  /// for.
+  [[nodiscard]] bool is_done() const { return clock_.step > plan_.steps; }
+
+  /// Whether small strain ends: a live point is strained, or a node has moved, more than the limits say.
+  [[nodiscard]] bool outgrows(const Handover& limits) const;
+  /// What moving points go on from: mass, momentum and stress are kept. The failure maps are moved out.
+  [[nodiscard]] MovingStart hand_over();
 
   /// Failure maps so far, moved out.
   void take_maps(Result& result);
@@ -84,7 +82,6 @@ class LatticeSolver {
   };
 
   void make_bands();
-  void make_maps();
   void find_pinned_node();
   Clock run_band(std::size_t index, Clock clock, std::int64_t steps, std::barrier<>& barrier);
   void advance_clock(Clock& clock) const;
@@ -95,6 +92,13 @@ class LatticeSolver {
   void sweep_platen_row(int row, const ForceBuffer& below, const ForceBuffer& above, const Clock& clock);
   void record_reaction(bool top, double reaction, const Clock& clock);
   [[nodiscard]] Ledger balance() const;
+  [[nodiscard]] bool strains_more_than(double limit) const;
+  [[nodiscard]] bool strays_more_than(double limit) const;
+  [[nodiscard]] bool is_intact(int row, int plane, int cell) const;
+  void hand_over_pixels(MovingStart& start) const;
+  void hand_over_extra_points(MovingStart& start) const;
+  [[nodiscard]] StartPoint moved(int row, int cell, double xi, double eta, const Eigen::Matrix3d& c) const;
+  [[nodiscard]] CellDisplacement velocity(int row, int cell) const;
 
   [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
   [[nodiscard]] CellDisplacement displacement_before(int row, int cell) const;
@@ -126,8 +130,7 @@ class LatticeSolver {
   int pinned_ = 0;                                 ///< column of the node that a smooth bottom platen holds
   Clock clock_;
   Reaction top_, bottom_;
-  Lattice<float> failure_strain_, crush_strain_;
-  Lattice<std::uint8_t> failure_mode_;
+  FailureMaps maps_;
 };
 
 }  // namespace mpm

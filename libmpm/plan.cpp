@@ -44,11 +44,45 @@ kernels::Features features_needed(const Scene& scene, const std::vector<const Ph
   return features;
 }
 
-/// Steps until the platen has moved to stop_strain, the ramp included: its mean velocity is half the full
-/// one.
-std::int64_t steps_needed(const Scene& scene, const Plan& plan) {
+moving::Return return_of(const Motion& motion) {
+  if (motion.transfer == Transfer::apic) return moving::Return::apic;
+  return motion.flip_ratio < 1 ? moving::Return::blend : moving::Return::flip;
+}
+
+MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, double cell_size) {
+  const Motion& motion = scene.motion;
+  MovingPlan plan;
+  plan.features.stencil =
+      motion.shape == Shape::linear ? moving::Stencil::linear : moving::Stencil::quadratic;
+  plan.features.transfer = return_of(motion);
+  plan.features.check = features.check;
+  plan.features.crack_closure = features.crack_closure;
+  plan.features.damping = features.damping;
+  plan.optional.cracked = features.crack_closure;
+  plan.optional.affine = motion.transfer == Transfer::apic;
+  plan.mapped_back = motion.scheme == Scheme::musl;
+  plan.half_size = motion.shape == Shape::gimp ? 0.5 / scene.points_per_cell : 0.5;
+  const double margin = motion.margin < 0 ? 0.25 * scene.width() : motion.margin;
+  const int cells = static_cast<int>(std::ceil(margin / cell_size - 1e-9));
+  const auto beyond = [&](Edge edge) { return edge == Edge::closed || edge == Edge::open ? cells : 0; };
+  plan.margin_left = beyond(motion.left);
+  plan.margin_right = beyond(motion.right);
+  if (scene.loading.direction == Direction::none) {
+    plan.margin_bottom = beyond(motion.bottom);
+    plan.margin_top = beyond(motion.top);
+  }
+  return plan;
+}
+
+/// Time until the platen has moved to stop_strain, the ramp included: its mean velocity is half the full one.
+double time_needed(const Scene& scene, const Plan& plan) {
+  if (scene.loading.direction == Direction::none) return scene.loading.duration;
   const double time = scene.loading.stop_strain * scene.height() / scene.loading.velocity;
-  const double steps = std::ceil((time + 0.5 * std::min(plan.ramp_time, 2 * time)) / plan.dt);
+  return time + 0.5 * std::min(plan.ramp_time, 2 * time);
+}
+
+std::int64_t steps_needed(const Scene& scene, const Plan& plan) {
+  const double steps = std::ceil(time_needed(scene, plan) / plan.dt);
   if (!(steps < 1e12))
     throw Error("loading.velocity", std::to_string(scene.loading.velocity) + " m/s",
                 "the run would need more than 1e12 steps", "load faster, or stop at a smaller strain");
@@ -74,6 +108,8 @@ Plan plan(const Scene& scene) {
   plan.ramp_time = scene.loading.ramp_time < 0 ? 2 * scene.height() / slowest : scene.loading.ramp_time;
   plan.features = features_needed(scene, phases);
   plan.poisson = phases.front()->poisson;
+  if (scene.kinematics != Kinematics::small_strain)
+    plan.moving = moving_plan(scene, plan.features, plan.cell_size);
   plan.steps = steps_needed(scene, plan);
   plan.steps_per_row = std::max<std::int64_t>(1, plan.steps / scene.history_rows);
   return plan;

@@ -4,9 +4,19 @@
 #include <cstdint>
 
 #include "libmpm/kernels.hpp"
+#include "libmpm/moving_kernels.hpp"
 #include "libmpm/scene.hpp"
 
 namespace mpm {
+
+/// What moving points need beside that.
+struct MovingPlan {
+  moving::Features features;        ///< what their sweeps are compiled with
+  moving::OptionalFields optional;  ///< numbers of a point that this run carries
+  bool mapped_back = true;          ///< the new momentum goes to the nodes once more (MUSL)
+  double half_size = 0.5;           ///< of a point, over the size of a cell [-]
+  int margin_left = 0, margin_right = 0, margin_bottom = 0, margin_top = 0;  ///< cells beyond the picture
+};
 
 struct Plan {
   int cells_x = 0;                 ///< columns of cells
@@ -15,10 +25,11 @@ struct Plan {
   double dt = 0;                   ///< [s]
   double wave_speed = 0;           ///< of the fastest phase present [m/s]
   double ramp_time = 0;            ///< [s]
-  std::int64_t steps = 0;          ///< to stop_strain
+  std::int64_t steps = 0;          ///< to stop_strain or the end of the duration, with this time step
   std::int64_t steps_per_row = 0;  ///< between rows of the history
   kernels::Features features;      ///< what the sweeps are compiled with
   double poisson = 0;              ///< of all phases, when features.one_poisson_ratio
+  MovingPlan moving;               ///< unless the kinematics are those of small strain
 };
 
 /// @throws Error for a scene that is not valid.

@@ -22,14 +22,18 @@ struct HistoryRow {
   double elastic = 0;
   double released = 0;  ///< elastic energy of the points that failed, when they failed
   double damped = 0;    ///< taken by local damping so far
+  double left = 0;      ///< energy of the points that have left through open edges
   std::int64_t tension_failures = 0;
   std::int64_t shear_failures = 0;
+  std::int64_t left_points = 0;    ///< that have left through open edges
+  std::int64_t moving_points = 0;  ///< points that move; 0 while small strain holds
 };
 
 enum class FailureMode : std::uint8_t { none = 0, tension = 1, shear = 2 };
 
 enum class StopReason {
   strain,       ///< stop_strain was reached
+  time,         ///< the duration is over
   drop,         ///< the stress fell below stop_drop of its peak
   interrupted,  ///< the observer asked for it
 };
@@ -45,6 +49,9 @@ struct Result {
   /// With crack closure only: platen strain at which a point that had cracked was crushed in shear; else
   /// empty.
   Lattice<float> crush_strain;
+  /// With moving points only: where the point of a pixel is at the end, in the picture [m]; NaN = there is
+  /// none. Else empty.
+  Lattice<float> end_x, end_y;
   std::vector<float> extra_failure_strain;       ///< the same for Scene::extra_points, in their order
   std::vector<std::uint8_t> extra_failure_mode;  ///< the same for Scene::extra_points, in their order
   std::int64_t tension_failures = 0;             ///< extra points included

@@ -61,9 +61,10 @@ void write_values(hid_t parent, const std::string& name, const std::vector<hsize
 }
 
 template <class T>
-void write_map(hid_t parent, const std::string& name, const Lattice<T>& map, const std::string& meaning) {
+void write_map(hid_t parent, const std::string& name, const Lattice<T>& map, const std::string& meaning,
+               const std::string& unit = "1") {
   write_values(parent, name, {static_cast<hsize_t>(map.rows()), static_cast<hsize_t>(map.cols())}, map.data(),
-               "1", meaning);
+               unit, meaning);
 }
 
 template <class T>
@@ -116,6 +117,11 @@ void write_maps(hid_t file, const Result& result) {
     write_map(
         file, "crush_strain", result.crush_strain,
         "platen strain at which a cracked point was crushed in shear, NaN = it was not; row 0 is the top");
+  if (result.end_x.size() > 0) {
+    write_map(file, "end_x", result.end_x,
+              "place of the point of a pixel at the end, NaN = none; row 0 is the top", "m");
+    write_map(file, "end_y", result.end_y, "the same, upwards from the lower edge of the picture", "m");
+  }
 }
 
 /// A file that lives in memory: a full disk can then hit one plain write only, not HDF5 on its way out.

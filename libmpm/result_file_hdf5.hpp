@@ -15,8 +15,9 @@ namespace mpm::result_file {
 
 inline constexpr const char* format_name = "mesopix result";
 inline constexpr std::int64_t format_version = 1;
-inline constexpr std::array<std::pair<StopReason, const char*>, 3> stop_reasons{{
+inline constexpr std::array<std::pair<StopReason, const char*>, 4> stop_reasons{{
     {StopReason::strain, "strain"},
+    {StopReason::time, "time"},
     {StopReason::drop, "drop"},
     {StopReason::interrupted, "interrupted"},
 }};

@@ -150,10 +150,16 @@ void read_maps(hid_t file, Result& result) {
           "dataset failure_mode has another shape than failure_strain");
   require(result.failure_mode.size() == 0 || result.failure_mode.maxCoeff() <= 2,
           "dataset failure_mode holds a value above 2");
-  if (H5Lexists(file, "crush_strain", H5P_DEFAULT) <= 0) return;
-  result.crush_strain = read_map<float>(file, "crush_strain");
-  require(same_shape(result.crush_strain, result.failure_strain),
-          "dataset crush_strain has another shape than failure_strain");
+  if (H5Lexists(file, "crush_strain", H5P_DEFAULT) > 0) {
+    result.crush_strain = read_map<float>(file, "crush_strain");
+    require(same_shape(result.crush_strain, result.failure_strain),
+            "dataset crush_strain has another shape than failure_strain");
+  }
+  if (H5Lexists(file, "end_x", H5P_DEFAULT) > 0) {
+    result.end_x = read_map<float>(file, "end_x");
+    result.end_y = read_map<float>(file, "end_y");
+    require(same_shape(result.end_y, result.end_x), "dataset end_y has another shape than end_x");
+  }
 }
 
 Handle open_and_check(const std::string& path) {

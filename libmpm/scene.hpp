@@ -11,7 +11,11 @@
 
 namespace mpm {
 
-enum class Direction { tension, compression };
+enum class Direction {
+  tension,
+  compression,
+  none,  ///< no platens: the specimen flies with Loading::initial_velocity; for moving points
+};
 
 /// How a platen holds the specimen sideways: smooth = free (one node pinned), rough = no sideways motion.
 enum class Platen { smooth, rough };
@@ -19,6 +23,43 @@ enum class Platen { smooth, rough };
 enum class Precision {
   single,   ///< stresses in 32 bits, motion of the nodes in 64 bits
   double_,  ///< 64 bits throughout
+};
+
+/// How points follow the motion.
+enum class Kinematics {
+  small_strain,  ///< points keep their place in the picture; stress follows from the displacement of the
+                 ///< nodes
+  moving,        ///< points move through the grid and carry their velocity and stress
+  automatic,     ///< small strain until Handover says that it ends, then moving
+};
+
+/// Shape functions of moving points.
+enum class Shape {
+  linear,   ///< tent of a cell's width; Sulsky, Chen, Schreyer (1994)
+  gimp,     ///< uniform generalised interpolation; Bardenhagen, Kober (2004)
+  bspline,  ///< quadratic B-spline; Steffen, Kirby, Berzins (2008)
+};
+
+/// When in a step the stress follows the motion of the nodes.
+enum class Scheme {
+  usf,   ///< first, from the momentum that the points brought
+  usl,   ///< last, from the velocity at the end of the step
+  musl,  ///< last, from the new velocity of the points, mapped back; Sulsky, Zhou, Schreyer (1995)
+};
+
+/// How the velocity of the nodes comes back to the points.
+enum class Transfer {
+  flip,  ///< its change is added; Motion::flip_ratio blends with its value (PIC)
+  apic,  ///< its value and its gradient are taken; Jiang, Schroeder, Selle, Teran, Stomakhin (2015)
+};
+
+/// What stands at an edge of the grid of moving points.
+enum class Edge {
+  closed,       ///< nothing; a point that leaves there is an error
+  open,         ///< nothing; points that leave there are taken out and counted
+  symmetry,     ///< plane of symmetry: no motion across it
+  smooth_wall,  ///< wall without friction, from which the specimen may part
+  rough_wall,   ///< wall to which what touches it sticks, from which the specimen may part
 };
 
 /// A material point beside those of the pixels; shares the volume of its pixel with the points that lie in
@@ -36,6 +77,29 @@ struct Loading {
   Platen platen = Platen::smooth;
   double stop_strain = 4e-4;        ///< platen displacement over height at which the run ends [-], > 0
   std::optional<double> stop_drop;  ///< ends below this share of the peak stress [-], in (0, 1)
+  bool separation = false;          ///< the specimen may part from the platens; for moving points
+
+  // Without platens (Direction::none):
+  double initial_velocity_x = 0;  ///< of the whole specimen [m/s]
+  double initial_velocity_y = 0;  ///< [m/s], upwards
+  double duration = 0;            ///< time at which the run ends [s], > 0
+};
+
+/// How moving points are solved for.
+struct Motion {
+  Shape shape = Shape::gimp;
+  Scheme scheme = Scheme::musl;
+  Transfer transfer = Transfer::flip;
+  double flip_ratio = 1;  ///< 1 = FLIP, 0 = PIC [-], in [0, 1]
+  double margin = -1;  ///< of the grid beyond edges that are closed or open [m]; < 0 = a quarter of the width
+  Edge left = Edge::closed, right = Edge::closed;
+  Edge bottom = Edge::closed, top = Edge::closed;  ///< without platens
+};
+
+/// When Kinematics::automatic goes over from small strain to moving points.
+struct Handover {
+  double strain = 0.01;        ///< largest principal strain of a live point [-], > 0
+  double displacement = 0.25;  ///< of a node from the mean motion between the platens, in cells [-], > 0
 };
 
 /// What a point that failed in tension does when it is compressed.
@@ -61,6 +125,9 @@ struct Scene {
 
   Plane plane = Plane::strain;
   int points_per_cell = 2;  ///< along an edge of a cell: 1, 2, 3, 4; 2 means 2 x 2 points a cell
+  Kinematics kinematics = Kinematics::small_strain;
+  Motion motion;
+  Handover handover;
   Loading loading;
   Damage damage;
   double local_damping = 0;  ///< share of the unbalanced force that opposes the motion [-], in [0, 1)

@@ -7,6 +7,7 @@
 
 #include "libmpm/instruction_set.hpp"
 #include "libmpm/lattice_solver.hpp"
+#include "libmpm/moving_solver.hpp"
 #include "libmpm/plan.hpp"
 
 namespace mpm {
@@ -26,11 +27,30 @@ std::int64_t count_points(const Scene& scene) {
   return points;
 }
 
-HistoryRow history_row(const Scene& scene, double time, const Ledger& ledger) {
+/// Without platens the strain is nominal: what the flight of the specimen would have made of its height.
+double strain_of(const Scene& scene, const Ledger& ledger) {
+  const Loading& loading = scene.loading;
+  const double shortening =
+      loading.direction == Direction::none
+          ? ledger.time * std::hypot(loading.initial_velocity_x, loading.initial_velocity_y)
+          : ledger.platen_displacement;
+  return shortening / scene.height();
+}
+
+/// Kinetic energy of a specimen in flight [J/m].
+double kinetic_energy_at_start(const Scene& scene) {
+  const double vx = scene.loading.initial_velocity_x;
+  const double vy = scene.loading.initial_velocity_y;
+  double mass = 0;
+  for (const StartPoint& point : start_of(scene, plan(scene)).points) mass += point.mass;
+  return 0.5 * mass * (vx * vx + vy * vy);
+}
+
+HistoryRow history_row(const Scene& scene, const Ledger& ledger) {
   const double sign = scene.loading.direction == Direction::tension ? 1.0 : -1.0;
   HistoryRow row;
-  row.time = time;
-  row.strain = ledger.platen_displacement / scene.height();
+  row.time = ledger.time;
+  row.strain = strain_of(scene, ledger);
   row.stress_top = sign * ledger.force_top / scene.width();
   row.stress_bottom = -sign * ledger.force_bottom / scene.width();
   row.stress = 0.5 * (row.stress_top + row.stress_bottom);
@@ -39,19 +59,27 @@ HistoryRow history_row(const Scene& scene, double time, const Ledger& ledger) {
   row.elastic = ledger.elastic;
   row.released = ledger.released;
   row.damped = ledger.damped;
+  row.left = ledger.left;
+  row.left_points = ledger.left_points;
   row.tension_failures = ledger.tension_failures;
   row.shear_failures = ledger.shear_failures;
   return row;
 }
 
-double imbalance(const HistoryRow& row) {
-  return std::abs(row.platen_work - row.kinetic - row.elastic - row.released - row.damped);
+/// Energy that came in from outside, at the start and since [J/m].
+double energy_put_in(const HistoryRow& row, const HistoryRow& first) {
+  return row.platen_work + first.kinetic;
+}
+
+double imbalance(const HistoryRow& row, const HistoryRow& first) {
+  return std::abs(energy_put_in(row, first) - row.kinetic - row.elastic - row.released - row.damped -
+                  row.left);
 }
 
 /// What the specimen holds or has spent may exceed what the platens put in by rounding only. An unstable step
 /// makes energy from nothing and does so without bound, long before the numbers overflow.
-bool makes_energy(const HistoryRow& row) {
-  return row.kinetic + std::abs(row.elastic) > 10 * std::abs(row.platen_work) + 1e-30;
+bool makes_energy(const HistoryRow& row, const HistoryRow& first) {
+  return row.kinetic + std::abs(row.elastic) > 10 * std::abs(energy_put_in(row, first)) + 1e-30;
 }
 
 void add_row(Result& result, const HistoryRow& row) {
@@ -68,8 +96,8 @@ void close_ledger(Result& result) {
   double largest_work = 0;
   double largest_imbalance = 0;
   for (const HistoryRow& row : result.history) {
-    largest_work = std::max(largest_work, std::abs(row.platen_work));
-    largest_imbalance = std::max(largest_imbalance, imbalance(row));
+    largest_work = std::max(largest_work, std::abs(energy_put_in(row, result.history.front())));
+    largest_imbalance = std::max(largest_imbalance, imbalance(row, result.history.front()));
   }
   result.energy_error = largest_work > 0 ? largest_imbalance / largest_work : 0;
 }
@@ -83,51 +111,111 @@ std::string divergence_message(const Plan& plan, std::int64_t step, const char* 
   return text;
 }
 
+std::string trouble_message(const Ledger& ledger, std::int64_t step) {
+  char text[512];
+  std::snprintf(text, sizeof text, "%s, at step %lld (time %.4g s)", ledger.trouble.c_str(),
+                static_cast<long long>(step), ledger.time);
+  return text;
+}
+
+/// A run as it goes: what was recorded so far, and what ends it.
+class Run {
+ public:
+  Run(const Scene& scene, const Plan& plan, const Observer& observer)
+      : scene_(scene), plan_(plan), observer_(observer) {
+    result_.points = count_points(scene);
+    result_.dt = plan.dt;
+    result_.instruction_set = chosen_kernels(scene.instruction_set).name;
+    result_.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
+    HistoryRow rest;
+    if (scene.loading.direction == Direction::none) rest.kinetic = kinetic_energy_at_start(scene);
+    add_row(result_, rest);
+    if (scene.loading.direction == Direction::none) result_.stop = StopReason::time;
+  }
+
+  /// Steps until the run ends or `outgrown` says, after a row of the history, that the solver has done its
+  /// part.   @return whether the run goes on with another solver.
+  template <class Solver, class Outgrown>
+  [[nodiscard]] bool drive(Solver& solver, bool moving, const Outgrown& outgrown) {
+    while (!solver.is_done()) {
+      const Ledger ledger = solver.advance(plan_.steps_per_row);
+      result_.steps = solver.steps();
+      HistoryRow row = history_row(scene_, ledger);
+      row.moving_points = moving ? result_.points - ledger.left_points : 0;
+      if (const std::string trouble = trouble_of(ledger, row); !trouble.empty()) {
+        finish(solver);
+        throw Diverged(trouble, std::move(result_));
+      }
+      add_row(result_, row);
+      if (ends(row)) return false;
+      if (outgrown()) return true;
+    }
+    return false;
+  }
+
+  template <class Solver>
+  void finish(Solver& solver) {
+    result_.wall_time = seconds_since(start_);
+    solver.take_maps(result_);
+    close_ledger(result_);
+  }
+
+  [[nodiscard]] Result take_result() { return std::move(result_); }
+
+ private:
+  [[nodiscard]] std::string trouble_of(const Ledger& ledger, const HistoryRow& row) const {
+    if (!ledger.trouble.empty()) return trouble_message(ledger, result_.steps);
+    if (ledger.diverged_at >= 0)
+      return divergence_message(plan_, ledger.diverged_at, "stress is not a number");
+    if (makes_energy(row, result_.history.front()))
+      return divergence_message(plan_, result_.steps, "energy grows without work");
+    return {};
+  }
+
+  [[nodiscard]] bool ends(const HistoryRow& row) {
+    // Before the ramp ends the waves of the start are no peak.
+    if (scene_.loading.stop_drop && row.time > plan_.ramp_time &&
+        row.stress < *scene_.loading.stop_drop * result_.peak_stress) {
+      result_.stop = StopReason::drop;
+      return true;
+    }
+    const double done = scene_.loading.direction == Direction::none ? row.time / scene_.loading.duration
+                                                                    : row.strain / scene_.loading.stop_strain;
+    if (observer_ && !observer_({row, std::min(1.0, done), seconds_since(start_)})) {
+      result_.stop = StopReason::interrupted;
+      return true;
+    }
+    return false;
+  }
+
+  const Scene& scene_;
+  const Plan& plan_;
+  const Observer& observer_;
+  Clock::time_point start_ = Clock::now();
+  Result result_;
+};
+
 template <class Real>
 Result run(const Scene& scene, const Plan& plan, const Observer& observer) {
-  LatticeSolver<Real> solver(scene, plan);
-  Result result;
-  result.points = count_points(scene);
-  result.dt = plan.dt;
-  result.instruction_set = chosen_kernels(scene.instruction_set).name;
-  result.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
-  add_row(result, HistoryRow{});
-
-  const auto start = Clock::now();
-  const auto finish = [&] {
-    result.wall_time = seconds_since(start);
-    solver.take_maps(result);
-    close_ledger(result);
-  };
-  // The state that a step begins with is the one it reports, so the last step is one past the strain asked
-  // for.
-  while (result.steps <= plan.steps) {
-    const std::int64_t steps = std::min(plan.steps_per_row, plan.steps + 1 - result.steps);
-    const Ledger ledger = solver.advance(steps);
-    result.steps += steps;
-    const HistoryRow row = history_row(scene, static_cast<double>(result.steps - 1) * plan.dt, ledger);
-    if (ledger.diverged_at >= 0 || makes_energy(row)) {
-      finish();
-      throw Diverged(ledger.diverged_at >= 0
-                         ? divergence_message(plan, ledger.diverged_at, "stress is not a number")
-                         : divergence_message(plan, result.steps, "energy grows without work"),
-                     std::move(result));
+  const auto never = [] { return false; };
+  if (scene.kinematics != Kinematics::moving) {
+    LatticeSolver<Real> solver(scene, plan);
+    Run run(scene, plan, observer);
+    const bool automatic = scene.kinematics == Kinematics::automatic;
+    if (!run.drive(solver, false, [&] { return automatic && solver.outgrows(scene.handover); })) {
+      run.finish(solver);
+      return run.take_result();
     }
-    add_row(result, row);
-    // Before the ramp ends the waves of the start are no peak.
-    if (scene.loading.stop_drop && row.time > plan.ramp_time &&
-        row.stress < *scene.loading.stop_drop * result.peak_stress) {
-      result.stop = StopReason::drop;
-      break;
-    }
-    if (observer &&
-        !observer({row, std::min(1.0, row.strain / scene.loading.stop_strain), seconds_since(start)})) {
-      result.stop = StopReason::interrupted;
-      break;
-    }
+    MovingSolver<Real> moving(scene, plan, solver.hand_over());
+    (void)run.drive(moving, true, never);
+    run.finish(moving);
+    return run.take_result();
   }
-  finish();
-  return result;
+  MovingSolver<Real> solver(scene, plan, start_of(scene, plan));
+  Run run(scene, plan, observer);
+  (void)run.drive(solver, true, never);
+  run.finish(solver);
+  return run.take_result();
 }
 
 }  // namespace

@@ -32,6 +32,8 @@ std::string word_of(mpm::StopReason reason) {
   switch (reason) {
     case mpm::StopReason::strain:
       return "strain";
+    case mpm::StopReason::time:
+      return "time";
     case mpm::StopReason::drop:
       return "drop";
     case mpm::StopReason::interrupted:
@@ -44,6 +46,8 @@ std::string phrase_of(mpm::StopReason reason) {
   switch (reason) {
     case mpm::StopReason::strain:
       return "the final strain was reached";
+    case mpm::StopReason::time:
+      return "its time was over";
     case mpm::StopReason::drop:
       return "the stress had dropped";
     case mpm::StopReason::interrupted:

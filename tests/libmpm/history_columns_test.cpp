@@ -8,7 +8,7 @@
 namespace {
 
 /// A row whose members are 1, 2, 3 ... in the order of their declaration.
-mpm::HistoryRow counted_row() { return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}; }
+mpm::HistoryRow counted_row() { return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}; }
 
 TEST(HistoryColumns, ReachEveryMemberOnceInOrder) {
   const mpm::HistoryRow row = counted_row();

@@ -27,13 +27,16 @@ mpm::Result odd_result() {
   mpm::Result result;
   for (int i = 0; i < 5; ++i)
     result.history.push_back({i / 3.0, i * 1e-7 / 3, 1e6 / (i + 3), -1e-300, 5e-324, 1e300, 0.1, 0.2, 0.3,
-                              std::nan(""), (std::int64_t{1} << 60) + i, -i});
+                              std::nan(""), 0.4, (std::int64_t{1} << 60) + i, -i, 2 * i, 3 * i});
   result.peak_stress = 1e6 / 3;
   result.peak_strain = 1e-4 / 3;
   result.failure_strain.setConstant(3, 2, nan_f);
   result.failure_strain(0, 1) = 1e-4F / 3;
   result.failure_mode.setZero(3, 2);
   result.failure_mode(0, 1) = 2;
+  result.end_x.setConstant(3, 2, nan_f);
+  result.end_x(2, 1) = 1e-3F / 3;
+  result.end_y.setConstant(3, 2, 1e-2F / 7);
   result.tension_failures = 7;
   result.shear_failures = 8;
   result.points = 92628;
@@ -78,6 +81,8 @@ void expect_same(const mpm::Result& read, const mpm::Result& written) {
   expect_same(read.failure_strain, written.failure_strain);
   expect_same(read.failure_mode, written.failure_mode);
   expect_same(read.crush_strain, written.crush_strain);
+  expect_same(read.end_x, written.end_x);
+  expect_same(read.end_y, written.end_y);
   EXPECT_EQ(read.tension_failures, written.tension_failures);
   EXPECT_EQ(read.shear_failures, written.shear_failures);
   EXPECT_EQ(read.points, written.points);
@@ -280,6 +285,12 @@ TEST_F(ResultFile, RefusesAWrongNumberOfAxes) {
   mpm::write_result(path_, odd_result(), "");
   replace_dataset("failure_strain", H5T_IEEE_F32LE, {6});
   EXPECT_THAT(complaint(), HasSubstr("dataset failure_strain has a wrong number of axes"));
+}
+
+TEST_F(ResultFile, RefusesPlacesOfDifferentShapes) {
+  mpm::write_result(path_, odd_result(), "");
+  replace_dataset("end_y", H5T_IEEE_F32LE, {2, 3});
+  EXPECT_THAT(complaint(), HasSubstr("dataset end_y has another shape than end_x"));
 }
 
 TEST_F(ResultFile, RefusesMapsOfDifferentShapes) {

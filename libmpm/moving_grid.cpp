@@ -1,0 +1,81 @@
+#include "libmpm/moving_grid.hpp"
+
+#include <algorithm>
+
+#include "libmpm/grid.hpp"
+
+namespace mpm {
+
+MovingGeometry moving_geometry(const Scene& scene, const Plan& plan) {
+  const bool linear = scene.motion.shape == Shape::linear;
+  const MovingPlan& moving = plan.moving;
+  MovingGeometry geometry;
+  geometry.cells_x = plan.cells_x + moving.margin_left + moving.margin_right;
+  geometry.cells_y = plan.cells_y + moving.margin_bottom + moving.margin_top;
+  geometry.reach = linear ? 2 : 3;
+  geometry.before = linear ? 0 : 1;
+  geometry.tiles_x = geometry.cells_x + geometry.before;
+  geometry.tiles_y = geometry.cells_y + geometry.before;
+  geometry.nodes_x = geometry.tiles_x + geometry.reach - 1;
+  geometry.nodes_y = geometry.tiles_y + geometry.reach - 1;
+  geometry.tile_offset = linear ? 0 : -0.5;
+  geometry.left = -moving.margin_left * plan.cell_size;
+  geometry.bottom = -moving.margin_bottom * plan.cell_size;
+  return geometry;
+}
+
+template <class Real>
+MovingGrid<Real> make_moving_grid(const MovingGeometry& geometry) {
+  MovingGrid<Real> grid;
+  // A vector may begin at the last tile and reach over its nodes.
+  grid.stride = padded(geometry.nodes_x) + 2 * kernels::lane_cells;
+  const auto size = static_cast<std::size_t>(geometry.nodes_y * grid.stride);
+  for (auto* field : {&grid.mass, &grid.vx, &grid.vy, &grid.fresh_x, &grid.fresh_y, &grid.change_x,
+                      &grid.change_y, &grid.strain_x, &grid.strain_y})
+    field->assign(size, Real(0));
+  return grid;
+}
+
+template <class Real>
+TileSums<Real>::TileSums(const MovingGeometry& geometry, int quantities)
+    : tiles_y_(geometry.tiles_y),
+      reach_(geometry.reach),
+      nodes_(padded(geometry.nodes_x)),
+      length_(padded(geometry.tiles_x) + 3 * moving::padding),
+      row_size_(reach_ * reach_ * quantities * length_),
+      values_(static_cast<std::size_t>(tiles_y_ * row_size_), Real(0)),
+      is_zero_(static_cast<std::size_t>(tiles_y_), std::uint8_t{1}),
+      zeros_(static_cast<std::size_t>(row_size_), Real(0)) {}
+
+template <class Real>
+const Real* TileSums<Real>::row(int tile_row) const {
+  const bool inside = tile_row >= 0 && tile_row < tiles_y_;
+  return (inside ? values_.data() + tile_row * row_size_ : zeros_.data()) + moving::padding;
+}
+
+template <class Real>
+moving::Sums<Real> TileSums<Real>::sums(int tile_row) {
+  return {values_.data() + tile_row * row_size_ + moving::padding, length_};
+}
+
+template <class Real>
+moving::NodeRow<Real> TileSums<Real>::node_row(int node_row) const {
+  return {{row(node_row), row(node_row - 1), row(reach_ > 2 ? node_row - 2 : -1)}, length_, nodes_};
+}
+
+template <class Real>
+void TileSums<Real>::clear(int tile_row) {
+  std::uint8_t& is_zero = is_zero_[static_cast<std::size_t>(tile_row)];
+  if (is_zero != 0) return;
+  std::fill_n(values_.begin() + tile_row * row_size_, row_size_, Real(0));
+  is_zero = 1;
+}
+
+template struct MovingGrid<float>;
+template struct MovingGrid<double>;
+template MovingGrid<float> make_moving_grid(const MovingGeometry&);
+template MovingGrid<double> make_moving_grid(const MovingGeometry&);
+template class TileSums<float>;
+template class TileSums<double>;
+
+}  // namespace mpm

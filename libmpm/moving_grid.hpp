@@ -1,0 +1,71 @@
+/// The background grid of moving points: tiles and nodes, and where they lie.
+#pragma once
+
+#include <cstddef>
+
+#include "libmpm/aligned.hpp"
+#include "libmpm/moving_kernels.hpp"
+#include "libmpm/plan.hpp"
+#include "libmpm/scene.hpp"
+
+namespace mpm {
+
+/// Rows and columns of cells, tiles and nodes. The grid reaches beyond the picture by the plan's margins; its
+/// rows are stretched so that the top one stays at the top platen.
+struct MovingGeometry {
+  int cells_x = 0, cells_y = 0;  ///< of the grid
+  int tiles_x = 0, tiles_y = 0;
+  int nodes_x = 0, nodes_y = 0;  ///< a row and a column beyond each edge for quadratic shapes
+  int reach = 0;                 ///< nodes of a tile along an axis
+  int before = 0;                ///< rows of nodes below the lower edge of the grid; columns alike
+  double tile_offset = 0;        ///< place of the first tile's left edge, in cells
+  double left = 0, bottom = 0;   ///< corner of the grid in the picture [m]
+
+  /// Lower edge of a row of tiles over the height of a cell.
+  [[nodiscard]] double bottom_of(int tile_row) const { return tile_row + tile_offset; }
+};
+[[nodiscard]] MovingGeometry moving_geometry(const Scene& scene, const Plan& plan);
+
+/// State of the nodes in a step, shape (nodes_y, stride) each.
+template <class Real>
+struct MovingGrid {
+  std::ptrdiff_t stride = 0;
+  AlignedVector<Real> mass;                ///< [kg/m]
+  AlignedVector<Real> vx, vy;              ///< velocity that the points brought [m/s]
+  AlignedVector<Real> fresh_x, fresh_y;    ///< velocity at the end of the step [m/s]
+  AlignedVector<Real> change_x, change_y;  ///< its change in the step [m/s]
+  AlignedVector<Real> strain_x, strain_y;  ///< velocity that strains the points [m/s]
+
+  [[nodiscard]] std::size_t at(int row, int col = 0) const {
+    return static_cast<std::size_t>(row * stride + col);
+  }
+};
+template <class Real>
+[[nodiscard]] MovingGrid<Real> make_moving_grid(const MovingGeometry& geometry);
+
+/// Sums of all rows of tiles for their nodes: `quantities` planes for each node of a tile, with zeros round
+/// them.
+template <class Real>
+class TileSums {
+ public:
+  TileSums() = default;
+  TileSums(const MovingGeometry& geometry, int quantities);
+
+  [[nodiscard]] moving::Sums<Real> sums(int tile_row);
+  /// The sums that meet in a row of nodes.
+  [[nodiscard]] moving::NodeRow<Real> node_row(int row) const;
+  /// Sums of a row without points; done once as long as no points come in.
+  void clear(int tile_row);
+  void mark_filled(int tile_row) { is_zero_[static_cast<std::size_t>(tile_row)] = 0; }
+
+ private:
+  [[nodiscard]] const Real* row(int tile_row) const;
+
+  int tiles_y_ = 0, reach_ = 0, nodes_ = 0;
+  std::ptrdiff_t length_ = 0, row_size_ = 0;
+  AlignedVector<Real> values_;
+  std::vector<std::uint8_t> is_zero_;
+  AlignedVector<Real> zeros_;
+};
+
+}  // namespace mpm

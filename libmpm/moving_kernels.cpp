@@ -1,0 +1,663 @@
+// Compiled once per instruction set, with MPM_KERNELS naming the table that it defines. Everything here but
+// that table is local to the file, and what comes in from outside is always inlined: no code for a newer
+// processor can leak into the rest.
+#include "libmpm/moving_kernels.hpp"
+
+#include "libmpm/stress.hpp"
+#include "libmpm/unroll.hpp"
+
+namespace mpm::moving {
+namespace {
+
+#if defined(__AVX512F__)
+constexpr int vector_bytes = 64;
+#elif defined(__AVX2__)
+constexpr int vector_bytes = 32;
+#else
+constexpr int vector_bytes = 16;
+#endif
+
+/// A vector of the instruction set, a number per tile. The compiler's own vectors, so that no loop depends on
+/// whether it finds out by itself that lanes are independent.
+template <class Real>
+struct PackOf;
+template <>
+struct PackOf<float> {
+  typedef float type __attribute__((vector_size(vector_bytes)));
+};
+template <>
+struct PackOf<double> {
+  typedef double type __attribute__((vector_size(vector_bytes)));
+};
+template <class Real>
+using Pack = typename PackOf<Real>::type;
+template <class Real>
+using Mask = decltype(Pack<Real>{} < Pack<Real>{});
+template <class Real>
+constexpr int lanes = vector_bytes / static_cast<int>(sizeof(Real));
+
+template <class Real>
+MPM_INLINE Pack<Real> load(const Real* from) {
+  Pack<Real> pack;
+  __builtin_memcpy(&pack, from, sizeof pack);
+  return pack;
+}
+template <class Real>
+MPM_INLINE void store(Real* to, const Pack<Real>& pack) {
+  __builtin_memcpy(to, &pack, sizeof pack);
+}
+template <class Real>
+MPM_INLINE Pack<Real> all(Real value) {
+  return value - Pack<Real>{};
+}
+template <class Real>
+MPM_INLINE bool any_of(const Mask<Real>& mask) {
+  auto any = mask[0];
+  for (int i = 1; i < lanes<Real>; ++i) any |= mask[i];
+  return any != 0;
+}
+
+/// Weights of the nodes of a tile along one axis, and their derivatives by the place in cells.
+template <class Real, int N>
+struct Weights {
+  Pack<Real> w[N], dw[N];
+};
+
+/// Nodes of a tile along an axis.
+template <Stencil stencil>
+constexpr int nodes_of = stencil == Stencil::linear ? 2 : 3;
+
+/// @param at  place in the tile [-].   @param half_size  of the point, over the size of a cell.
+template <class Real, Stencil stencil>
+MPM_INLINE Weights<Real, nodes_of<stencil>> weights(const Pack<Real>& at, Real half_size) {
+  Weights<Real, nodes_of<stencil>> result;
+  if constexpr (stencil == Stencil::linear) {
+    result.w[0] = 1 - at;
+    result.w[1] = at;
+    result.dw[0] = all<Real>(-1);
+    result.dw[1] = all<Real>(1);
+  } else {
+    // The tent averaged over the width of the point. Its part beyond the middle node grows as a parabola
+    // while the point lies over that node, and linearly from there on; a point as wide as a cell always does:
+    // that is the quadratic B-spline.
+    const Real l = half_size;
+    const Pack<Real> d = at - Real(0.5);
+    const Pack<Real> upper = all<Real>(l);
+    const Pack<Real> cut = d < upper ? d : upper;
+    const Pack<Real> t = cut > -upper ? cut : -upper;
+    const Pack<Real> zero{};
+    const Pack<Real> beyond = d - t;
+    const Real scale = Real(0.5) / l;
+    const Pack<Real> right = (l + t) * scale;
+    const Pack<Real> left = (l - t) * scale;
+    result.w[2] = Real(0.5) * (l + t) * right + (beyond > zero ? beyond : zero);
+    result.w[0] = Real(0.5) * (l - t) * left + (beyond < zero ? -beyond : zero);
+    result.w[1] = 1 - result.w[0] - result.w[2];
+    result.dw[0] = -left;
+    result.dw[2] = right;
+    result.dw[1] = left - right;
+  }
+  return result;
+}
+
+/// Place of node `i` of a tile along an axis, from the edge of the tile, in cells.
+template <Stencil stencil>
+constexpr double node_place(int i) {
+  return stencil == Stencil::linear ? i : i - 0.5;
+}
+
+/// Variance of the weights along an axis [-]; 1/4 for the B-spline.
+template <class Real, int N>
+MPM_INLINE Pack<Real> variance(const Weights<Real, N>& x, const Pack<Real>& at) {
+  const Pack<Real> d = at - Real(0.5);
+  return x.w[0] + x.w[2] - d * d;
+}
+
+/// Values at the nodes of the tiles of a block, [row][column].
+template <class Real, int N>
+struct TileNodes {
+  Pack<Real> at[N][N];
+};
+template <class Real, int N>
+MPM_INLINE TileNodes<Real, N> load_nodes(const Real* first, std::ptrdiff_t stride, int tile) {
+  TileNodes<Real, N> nodes;
+  unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+    unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
+      nodes.at[b.value][a.value] = load<Real>(first + b.value * stride + tile + a.value);
+    });
+  });
+  return nodes;
+}
+
+/// Sum over the nodes of weight by value.
+template <class Real, int N>
+MPM_INLINE Pack<Real> interpolated(const TileNodes<Real, N>& nodes, const Pack<Real> (&wx)[N],
+                                   const Pack<Real> (&wy)[N]) {
+  Pack<Real> sum{};
+  unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+    Pack<Real> row{};
+    unrolled<N>([&](auto a) MPM_INLINE_LAMBDA { row += wx[a.value] * nodes.at[b.value][a.value]; });
+    sum += wy[b.value] * row;
+  });
+  return sum;
+}
+
+/// Calls body(record, block) for each record of the row.
+template <class Real>
+MPM_INLINE Real* record_of(const TileRow<Real>& row, int block, int slot) {
+  return row.records + static_cast<std::ptrdiff_t>(row.begin[block] + slot) * row.layout.fields * lanes<Real>;
+}
+template <class Real>
+MPM_INLINE Pack<Real> field(const Real* record, int index) {
+  return load<Real>(record + index * lanes<Real>);
+}
+template <class Real>
+MPM_INLINE void set_field(Real* record, int index, const Pack<Real>& value) {
+  store<Real>(record + index * lanes<Real>, value);
+}
+
+template <class Real, int N, int quantities>
+MPM_INLINE void store_sums(const Sums<Real>& out, int tile, const Pack<Real> (&sums)[N * N * quantities]) {
+  unrolled<N * N * quantities>([&](auto plane) MPM_INLINE_LAMBDA {
+    store<Real>(out.values + plane.value * out.length + tile, sums[plane.value]);
+  });
+}
+
+template <class Real, Stencil stencil, bool affine>
+void scatter_momentum(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> out) {
+  constexpr int N = nodes_of<stencil>;
+  const TileRow<Real> row = in;
+  const Real half_size = step.half_size;
+  const Real hx = step.hx;
+  const Real hy = step.hy;
+  for (int block = 0; block < row.blocks; ++block) {
+    Pack<Real> sums[N * N * 3] = {};
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      const Real* record = record_of(row, block, slot);
+      const Pack<Real> at_x = field(record, Field::xi);
+      const Pack<Real> at_y = field(record, Field::eta);
+      const auto x = weights<Real, stencil>(at_x, half_size);
+      const auto y = weights<Real, stencil>(at_y, half_size);
+      const Pack<Real> m = field(record, Field::mass);
+      const Pack<Real> v_x = field(record, Field::vx);
+      const Pack<Real> v_y = field(record, Field::vy);
+      Pack<Real> c_xx{}, c_xy{}, c_yx{}, c_yy{};
+      if constexpr (affine) {
+        c_xx = hx * field(record, row.layout.affine);
+        c_xy = hy * field(record, row.layout.affine + 1);
+        c_yx = hx * field(record, row.layout.affine + 2);
+        c_yy = hy * field(record, row.layout.affine + 3);
+      }
+      unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+        const Pack<Real> m_row = m * y.w[b.value];
+        const Pack<Real> dy = Real(node_place<stencil>(b.value)) - at_y;
+        unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
+          constexpr int plane = (b.value * N + a.value) * 3;
+          const Pack<Real> m_node = m_row * x.w[a.value];
+          sums[plane] += m_node;
+          if constexpr (affine) {
+            const Pack<Real> dx = Real(node_place<stencil>(a.value)) - at_x;
+            sums[plane + 1] += m_node * (v_x + c_xx * dx + c_xy * dy);
+            sums[plane + 2] += m_node * (v_y + c_yx * dx + c_yy * dy);
+          } else {
+            sums[plane + 1] += m_node * v_x;
+            sums[plane + 2] += m_node * v_y;
+          }
+        });
+      });
+    }
+    store_sums<Real, N, 3>(out, block * lanes<Real>, sums);
+  }
+}
+
+/// Square root lane by lane, for stress.hpp.
+template <class Real>
+MPM_INLINE Pack<Real> root(const Pack<Real>& value) {
+  Pack<Real> result = value;
+  for (int i = 0; i < lanes<Real>; ++i) result[i] = square_root(value[i]);
+  return result;
+}
+
+/// What without_tension() of stress.hpp does, for a vector of points.
+template <class Real>
+MPM_INLINE Stress<Pack<Real>> closed_crack(const Stress<Pack<Real>>& s, const Pack<Real>& lateral) {
+  const Pack<Real> zero{};
+  const Pack<Real> mean = Real(0.5) * (s.xx + s.yy);
+  const Pack<Real> deviator = Real(0.5) * (s.xx - s.yy);
+  const Pack<Real> radius = root<Real>(deviator * deviator + s.xy * s.xy);
+  const Pack<Real> top = mean + radius;
+  const Pack<Real> opening = top > zero ? top : zero;
+  const Pack<Real> first = top - opening;
+  const Pack<Real> rest = mean - radius - lateral * opening;
+  const Pack<Real> second = rest < zero ? rest : zero;
+  const Pack<Real> new_mean = Real(0.5) * (first + second);
+  const Pack<Real> ratio = Real(0.5) * (first - second) / (radius > zero ? radius : all<Real>(1));
+  return {new_mean + deviator * ratio, new_mean - deviator * ratio, s.xy * ratio};
+}
+
+/// Stress that the points carry: that of their record, or of its closed crack.
+template <class Real, bool closure>
+MPM_INLINE Stress<Pack<Real>> carried(const Stress<Pack<Real>>& s, const TileRow<Real>& row,
+                                      const Real* record, Real unilateral) {
+  if constexpr (!closure) {
+    return s;
+  } else {
+    const Pack<Real> zero{};
+    const Pack<Real> lame = field(record, Field::lame);
+    const Pack<Real> axial = lame + 2 * field(record, Field::shear);
+    const Pack<Real> lateral = unilateral * lame / (axial > zero ? axial : all<Real>(1));
+    const Stress<Pack<Real>> c = closed_crack<Real>(s, lateral);
+    const Mask<Real> cracked = field(record, row.layout.cracked) > zero;
+    return {cracked ? c.xx : s.xx, cracked ? c.yy : s.yy, cracked ? c.xy : s.xy};
+  }
+}
+
+template <class Real>
+MPM_INLINE Stress<Pack<Real>> stress_of(const Real* record) {
+  return {field(record, Field::sxx), field(record, Field::syy), field(record, Field::sxy)};
+}
+
+template <class Real, Stencil stencil, bool closure>
+void scatter_force(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> out) {
+  constexpr int N = nodes_of<stencil>;
+  const TileRow<Real> row = in;
+  const Real half_size = step.half_size;
+  const Real per_hx = 1 / step.hx;
+  const Real per_hy = 1 / step.hy;
+  const Real unilateral = step.unilateral;
+  for (int block = 0; block < row.blocks; ++block) {
+    Pack<Real> sums[N * N * 2] = {};
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      const Real* record = record_of(row, block, slot);
+      const auto x = weights<Real, stencil>(field(record, Field::xi), half_size);
+      const auto y = weights<Real, stencil>(field(record, Field::eta), half_size);
+      const Stress<Pack<Real>> s = carried<Real, closure>(stress_of<Real>(record), row, record, unilateral);
+      const Pack<Real> minus_v = -field(record, Field::volume);
+      const Pack<Real> v_x = minus_v * per_hx;
+      const Pack<Real> v_y = minus_v * per_hy;
+      const Pack<Real> xx = v_x * s.xx;
+      const Pack<Real> xy_y = v_y * s.xy;
+      const Pack<Real> xy_x = v_x * s.xy;
+      const Pack<Real> yy = v_y * s.yy;
+      // f = -V s . grad(S)
+      unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+        const Pack<Real> fx_dx = xx * y.w[b.value];
+        const Pack<Real> fx_w = xy_y * y.dw[b.value];
+        const Pack<Real> fy_dx = xy_x * y.w[b.value];
+        const Pack<Real> fy_w = yy * y.dw[b.value];
+        unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
+          constexpr int plane = (b.value * N + a.value) * 2;
+          sums[plane] += fx_dx * x.dw[a.value] + fx_w * x.w[a.value];
+          sums[plane + 1] += fy_dx * x.dw[a.value] + fy_w * x.w[a.value];
+        });
+      });
+    }
+    store_sums<Real, N, 2>(out, block * lanes<Real>, sums);
+  }
+}
+
+/// B or its like for linear shapes over the variance of the weights: the gradient of the velocity [1/s].
+template <class Real, Stencil stencil>
+MPM_INLINE void gather_affine(const TileRow<Real>& row, Real* record, const Step<Real>& step,
+                              const TileNodes<Real, nodes_of<stencil>>& nodes_x,
+                              const TileNodes<Real, nodes_of<stencil>>& nodes_y,
+                              const Weights<Real, nodes_of<stencil>>& x,
+                              const Weights<Real, nodes_of<stencil>>& y) {
+  constexpr int N = nodes_of<stencil>;
+  Pack<Real> along_x[N], along_y[N];
+  if constexpr (stencil == Stencil::linear) {
+    unrolled<N>([&](auto i) MPM_INLINE_LAMBDA {
+      along_x[i.value] = x.dw[i.value] * (1 / step.hx);
+      along_y[i.value] = y.dw[i.value] * (1 / step.hy);
+    });
+  } else {
+    const Pack<Real> at_x = field(record, Field::xi);
+    const Pack<Real> at_y = field(record, Field::eta);
+    const Pack<Real> per_dx = (1 / step.hx) / variance<Real, N>(x, at_x);
+    const Pack<Real> per_dy = (1 / step.hy) / variance<Real, N>(y, at_y);
+    unrolled<N>([&](auto i) MPM_INLINE_LAMBDA {
+      along_x[i.value] = x.w[i.value] * (Real(node_place<stencil>(i.value)) - at_x) * per_dx;
+      along_y[i.value] = y.w[i.value] * (Real(node_place<stencil>(i.value)) - at_y) * per_dy;
+    });
+  }
+  set_field<Real>(record, row.layout.affine, interpolated<Real, N>(nodes_x, along_x, y.w));
+  set_field<Real>(record, row.layout.affine + 1, interpolated<Real, N>(nodes_x, x.w, along_y));
+  set_field<Real>(record, row.layout.affine + 2, interpolated<Real, N>(nodes_y, along_x, y.w));
+  set_field<Real>(record, row.layout.affine + 3, interpolated<Real, N>(nodes_y, x.w, along_y));
+}
+
+template <class Real, Stencil stencil, Return transfer>
+Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> change,
+                     NodeVectors<Real> fresh) {
+  constexpr int N = nodes_of<stencil>;
+  constexpr bool needs_change = transfer != Return::apic;
+  constexpr bool needs_fresh = transfer != Return::flip;
+  const TileRow<Real> row = in;
+  const Real half_size = step.half_size;
+  const Real ratio = step.flip_ratio;
+  Pack<Real> fastest{};
+  for (int block = 0; block < row.blocks; ++block) {
+    if (row.used[block] == 0) continue;
+    const int tile = block * lanes<Real>;
+    TileNodes<Real, N> change_x{}, change_y{}, fresh_x{}, fresh_y{};
+    if constexpr (needs_change) {
+      change_x = load_nodes<Real, N>(change.x, change.stride, tile);
+      change_y = load_nodes<Real, N>(change.y, change.stride, tile);
+    }
+    if constexpr (needs_fresh) {
+      fresh_x = load_nodes<Real, N>(fresh.x, fresh.stride, tile);
+      fresh_y = load_nodes<Real, N>(fresh.y, fresh.stride, tile);
+    }
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      Real* record = record_of(row, block, slot);
+      const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
+      const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
+      Pack<Real> v_x{}, v_y{};
+      if constexpr (needs_change) {
+        v_x = field<Real>(record, Field::vx) + interpolated<Real, N>(change_x, x.w, y.w);
+        v_y = field<Real>(record, Field::vy) + interpolated<Real, N>(change_y, x.w, y.w);
+      }
+      if constexpr (transfer == Return::blend) {
+        v_x = ratio * v_x + (1 - ratio) * interpolated<Real, N>(fresh_x, x.w, y.w);
+        v_y = ratio * v_y + (1 - ratio) * interpolated<Real, N>(fresh_y, x.w, y.w);
+      }
+      if constexpr (transfer == Return::apic) {
+        v_x = interpolated<Real, N>(fresh_x, x.w, y.w);
+        v_y = interpolated<Real, N>(fresh_y, x.w, y.w);
+        gather_affine<Real, stencil>(row, record, step, fresh_x, fresh_y, x, y);
+      }
+      const Mask<Real> there = field<Real>(record, Field::mass) > Pack<Real>{};
+      v_x = there ? v_x : Pack<Real>{};
+      v_y = there ? v_y : Pack<Real>{};
+      set_field<Real>(record, Field::vx, v_x);
+      set_field<Real>(record, Field::vy, v_y);
+      const Pack<Real> square = v_x * v_x + v_y * v_y;
+      fastest = square > fastest ? square : fastest;
+    }
+  }
+  Real result = 0;
+  for (int i = 0; i < lanes<Real>; ++i) result = fastest[i] > result ? fastest[i] : result;
+  return result;
+}
+
+/// Displacement gradient of the step, dt grad(v) [-].
+template <class Real>
+struct Gradient {
+  Pack<Real> xx, xy, yx, yy;  ///< of component by direction
+};
+template <class Real, int N>
+MPM_INLINE Gradient<Real> gradient(const TileNodes<Real, N>& vx, const TileNodes<Real, N>& vy,
+                                   const Weights<Real, N>& x, const Weights<Real, N>& y, Real per_x,
+                                   Real per_y) {
+  return {per_x * interpolated<Real, N>(vx, x.dw, y.w), per_y * interpolated<Real, N>(vx, x.w, y.dw),
+          per_x * interpolated<Real, N>(vy, x.dw, y.w), per_y * interpolated<Real, N>(vy, x.w, y.dw)};
+}
+
+/// Jaumann's rate: the stress turns with the spin, then grows by C : strain. The turn is exact in the norm,
+/// tan(angle) = spin. Source: Hughes, Winget (1980), for the increment.
+template <class Real>
+MPM_INLINE Stress<Pack<Real>> turned_and_loaded(const Stress<Pack<Real>>& s, const Gradient<Real>& g,
+                                                const Pack<Real>& lame, const Pack<Real>& shear) {
+  const Pack<Real> spin = Real(0.5) * (g.yx - g.xy);
+  const Pack<Real> share = 1 / (1 + spin * spin);
+  const Pack<Real> cos2 = (1 - spin * spin) * share;
+  const Pack<Real> sin2 = 2 * spin * share;
+  const Pack<Real> mean = Real(0.5) * (s.xx + s.yy);
+  const Pack<Real> deviator = Real(0.5) * (s.xx - s.yy);
+  const Pack<Real> turned = deviator * cos2 - s.xy * sin2;
+  const Pack<Real> turned_xy = deviator * sin2 + s.xy * cos2;
+  const Pack<Real> volumetric = lame * (g.xx + g.yy);
+  return {mean + turned + volumetric + 2 * shear * g.xx, mean - turned + volumetric + 2 * shear * g.yy,
+          turned_xy + shear * (g.xy + g.yx)};
+}
+
+/// Lanes in which a point may fail; the same test as that of the lattice (kernels.cpp). Not-a-number is
+/// suspect.
+template <kernels::Check check, class Real>
+MPM_INLINE Mask<Real> suspect_lanes(const Stress<Pack<Real>>& s, const Real* record) {
+  const Pack<Real> zero{};
+  const Pack<Real> det = s.xx * s.yy - s.xy * s.xy;
+  const Pack<Real> sum = s.xx + s.yy;
+  const Pack<Real> tension = field(record, Field::tension);
+  const Pack<Real> reserve = tension - sum;
+  Mask<Real> safe = (tension * reserve + det >= zero) & (tension + reserve >= zero);
+  if constexpr (check == kernels::Check::tension_and_shear) {
+    const Pack<Real> crush = field(record, Field::crush);
+    const Pack<Real> depth = crush + sum;
+    safe &= (crush * depth + det >= zero) & (crush + depth >= zero);
+  }
+  return ~safe;
+}
+
+template <class Real, Stencil stencil, kernels::Check check, bool closure>
+int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> velocity,
+                  std::uint8_t* suspects) {
+  constexpr int N = nodes_of<stencil>;
+  const TileRow<Real> row = in;
+  const Real half_size = step.half_size;
+  const Real per_x = step.dt / step.hx;
+  const Real per_y = step.dt / step.hy;
+  const Real unilateral = step.unilateral;
+  int any = 0;
+  for (int block = 0; block < row.blocks; ++block) {
+    suspects[block] = 0;
+    if (row.used[block] == 0) continue;
+    const auto vx = load_nodes<Real, N>(velocity.x, velocity.stride, block * lanes<Real>);
+    const auto vy = load_nodes<Real, N>(velocity.y, velocity.stride, block * lanes<Real>);
+    Mask<Real> suspect{};
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      Real* record = record_of(row, block, slot);
+      const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
+      const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
+      const Gradient<Real> g = gradient<Real, N>(vx, vy, x, y, per_x, per_y);
+      const Pack<Real> v = field<Real>(record, Field::volume);
+      set_field<Real>(record, Field::volume, v * ((1 + g.xx) * (1 + g.yy) - g.xy * g.yx));
+      const Stress<Pack<Real>> s = turned_and_loaded<Real>(
+          stress_of<Real>(record), g, field<Real>(record, Field::lame), field<Real>(record, Field::shear));
+      set_field<Real>(record, Field::sxx, s.xx);
+      set_field<Real>(record, Field::syy, s.yy);
+      set_field<Real>(record, Field::sxy, s.xy);
+      if constexpr (check != kernels::Check::none)
+        suspect |= suspect_lanes<check, Real>(carried<Real, closure>(s, row, record, unilateral), record);
+    }
+    if constexpr (check != kernels::Check::none) {
+      suspects[block] = any_of<Real>(suspect) ? 1 : 0;
+      any |= suspects[block];
+    }
+  }
+  return any;
+}
+
+template <class Real, Stencil stencil>
+int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> fresh,
+                std::uint8_t* left) {
+  constexpr int N = nodes_of<stencil>;
+  const TileRow<Real> row = in;
+  const Real half_size = step.half_size;
+  const Real per_x = step.dt / step.hx;
+  const Real per_y = step.dt / (step.hy * step.stretch);
+  const Real shrink = 1 / step.stretch;
+  const Real shift = row.bottom * (shrink - 1);
+  const Pack<Real> zero{};
+  const Pack<Real> one = all<Real>(1);
+  const Pack<Real> middle = all<Real>(0.5);
+  int any = 0;
+  for (int block = 0; block < row.blocks; ++block) {
+    left[block] = 0;
+    if (row.used[block] == 0) continue;
+    const auto vx = load_nodes<Real, N>(fresh.x, fresh.stride, block * lanes<Real>);
+    const auto vy = load_nodes<Real, N>(fresh.y, fresh.stride, block * lanes<Real>);
+    Mask<Real> stays = zero <= zero;
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      Real* record = record_of(row, block, slot);
+      const Pack<Real> old_x = field<Real>(record, Field::xi);
+      const Pack<Real> old_y = field<Real>(record, Field::eta);
+      const auto x = weights<Real, stencil>(old_x, half_size);
+      const auto y = weights<Real, stencil>(old_y, half_size);
+      const Mask<Real> there = field<Real>(record, Field::mass) > zero;
+      const Pack<Real> moved_x = old_x + per_x * interpolated<Real, N>(vx, x.w, y.w);
+      const Pack<Real> moved_y = old_y * shrink + shift + per_y * interpolated<Real, N>(vy, x.w, y.w);
+      const Pack<Real> new_x = there ? moved_x : middle;
+      const Pack<Real> new_y = there ? moved_y : middle;
+      set_field<Real>(record, Field::xi, new_x);
+      set_field<Real>(record, Field::eta, new_y);
+      stays &= (new_x >= zero) & (new_x < one) & (new_y >= zero) & (new_y < one);
+    }
+    left[block] = any_of<Real>(~stays) ? 1 : 0;
+    any |= left[block];
+  }
+  return any;
+}
+
+template <class Real, Stencil stencil>
+void deform(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> velocity) {
+  constexpr int N = nodes_of<stencil>;
+  const TileRow<Real> row = in;
+  const Real half_size = step.half_size;
+  for (int block = 0; block < row.blocks; ++block) {
+    if (row.used[block] == 0) continue;
+    const auto vx = load_nodes<Real, N>(velocity.x, velocity.stride, block * lanes<Real>);
+    const auto vy = load_nodes<Real, N>(velocity.y, velocity.stride, block * lanes<Real>);
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      Real* record = record_of(row, block, slot);
+      const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
+      const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
+      const Gradient<Real> g = gradient<Real, N>(vx, vy, x, y, step.dt / step.hx, step.dt / step.hy);
+      const Pack<Real> xx = field<Real>(record, row.layout.deformation);
+      const Pack<Real> xy = field<Real>(record, row.layout.deformation + 1);
+      const Pack<Real> yx = field<Real>(record, row.layout.deformation + 2);
+      const Pack<Real> yy = field<Real>(record, row.layout.deformation + 3);
+      set_field<Real>(record, row.layout.deformation, xx + g.xx * xx + g.xy * yx);
+      set_field<Real>(record, row.layout.deformation + 1, xy + g.xx * xy + g.xy * yy);
+      set_field<Real>(record, row.layout.deformation + 2, yx + g.yx * xx + g.yy * yx);
+      set_field<Real>(record, row.layout.deformation + 3, yy + g.yx * xy + g.yy * yy);
+    }
+  }
+}
+
+/// Sum of quantity f of n at node i over the tiles that hold it.
+template <class Real, int N, int quantities, int f>
+MPM_INLINE Pack<Real> node_sum(const NodeRow<Real>& row, int i) {
+  Pack<Real> sum{};
+  unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+    unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
+      constexpr int plane = (b.value * N + a.value) * quantities + f;
+      sum += load<Real>(row.tiles[b.value] + plane * row.length + i - a.value);
+    });
+  });
+  return sum;
+}
+
+template <class Real, Stencil stencil>
+void sum_momentum(const NodeRow<Real>& in, Real least_mass, Real* mass, Real* vx, Real* vy) {
+  constexpr int N = nodes_of<stencil>;
+  const NodeRow<Real> row = in;
+  const Pack<Real> least = all<Real>(least_mass);
+  for (int i = 0; i < row.nodes; i += lanes<Real>) {
+    const Pack<Real> m = node_sum<Real, N, 3, 0>(row, i);
+    const Mask<Real> heavy = m > least;
+    const Pack<Real> per_m = heavy ? 1 / (heavy ? m : least) : Pack<Real>{};
+    store<Real>(mass + i, m);
+    store<Real>(vx + i, per_m * node_sum<Real, N, 3, 1>(row, i));
+    store<Real>(vy + i, per_m * node_sum<Real, N, 3, 2>(row, i));
+  }
+}
+
+/// The force less the damping that opposes the motion. Source: local damping, Cundall (1987).
+template <class Real>
+MPM_INLINE Pack<Real> damping_force(const Pack<Real>& f, const Pack<Real>& v, Real damping) {
+  const Pack<Real> zero{};
+  const Pack<Real> size = damping * (f < zero ? -f : f);
+  return v > zero ? -size : (v < zero ? size : zero);
+}
+
+template <class Real, Stencil stencil, bool damped>
+double integrate(const Integration<Real>& in) {
+  constexpr int N = nodes_of<stencil>;
+  const Integration<Real> nodes = in;
+  const Pack<Real> least = all<Real>(nodes.least_mass);
+  Pack<Real> taken{};
+  for (int i = 0; i < nodes.forces.nodes; i += lanes<Real>) {
+    const Pack<Real> m = load<Real>(nodes.mass + i);
+    const Mask<Real> heavy = m > least;
+    const Pack<Real> impulse = heavy ? nodes.dt / (heavy ? m : least) : Pack<Real>{};
+    const Pack<Real> v_x = load<Real>(nodes.vx + i);
+    const Pack<Real> v_y = load<Real>(nodes.vy + i);
+    Pack<Real> fx = node_sum<Real, N, 2, 0>(nodes.forces, i);
+    Pack<Real> fy = node_sum<Real, N, 2, 1>(nodes.forces, i);
+    Pack<Real> drag_x{}, drag_y{};
+    if constexpr (damped) {
+      drag_x = damping_force<Real>(fx, v_x, nodes.damping);
+      drag_y = damping_force<Real>(fy, v_y, nodes.damping);
+      fx += drag_x;
+      fy += drag_y;
+    }
+    const Pack<Real> change_x = impulse * fx;
+    const Pack<Real> change_y = impulse * fy;
+    store<Real>(nodes.change_x + i, change_x);
+    store<Real>(nodes.change_y + i, change_y);
+    store<Real>(nodes.fresh_x + i, v_x + change_x);
+    store<Real>(nodes.fresh_y + i, v_y + change_y);
+    if constexpr (damped)
+      taken -= drag_x * (v_x + Real(0.5) * change_x) + drag_y * (v_y + Real(0.5) * change_y);
+  }
+  double sum = 0;
+  for (int i = 0; i < lanes<Real>; ++i) sum += static_cast<double>(taken[i]);
+  return sum * static_cast<double>(nodes.dt);
+}
+
+template <class Real, Stencil stencil>
+UpdateStress<Real> update_stress_for(const Features& f) {
+  using kernels::Check;
+  if (f.crack_closure) return update_stress<Real, stencil, Check::tension_and_shear, true>;
+  switch (f.check) {
+    case Check::none:
+      return update_stress<Real, stencil, Check::none, false>;
+    case Check::tension:
+      return update_stress<Real, stencil, Check::tension, false>;
+    case Check::tension_and_shear:
+      break;
+  }
+  return update_stress<Real, stencil, Check::tension_and_shear, false>;
+}
+
+template <class Real, Stencil stencil>
+GatherVelocity<Real> gather_velocity_for(const Features& f) {
+  switch (f.transfer) {
+    case Return::flip:
+      return gather_velocity<Real, stencil, Return::flip>;
+    case Return::blend:
+      return gather_velocity<Real, stencil, Return::blend>;
+    case Return::apic:
+      break;
+  }
+  return gather_velocity<Real, stencil, Return::apic>;
+}
+
+template <class Real, Stencil stencil>
+Sweeps<Real> sweeps_of(const Features& f) {
+  return {lanes<Real>,
+          f.transfer == Return::apic ? scatter_momentum<Real, stencil, true>
+                                     : scatter_momentum<Real, stencil, false>,
+          f.crack_closure ? scatter_force<Real, stencil, true> : scatter_force<Real, stencil, false>,
+          gather_velocity_for<Real, stencil>(f),
+          update_stress_for<Real, stencil>(f),
+          move_points<Real, stencil>,
+          deform<Real, stencil>,
+          sum_momentum<Real, stencil>,
+          f.damping ? integrate<Real, stencil, true> : integrate<Real, stencil, false>};
+}
+
+template <class Real>
+Sweeps<Real> sweeps(const Features& f) {
+  return f.stencil == Stencil::linear ? sweeps_of<Real, Stencil::linear>(f)
+                                      : sweeps_of<Real, Stencil::quadratic>(f);
+}
+
+}  // namespace
+
+#define MPM_TEXT_OF(name) #name
+#define MPM_TEXT(name) MPM_TEXT_OF(name)
+extern const Kernels MPM_KERNELS = {MPM_TEXT(MPM_KERNELS), sweeps<float>, sweeps<double>};
+
+}  // namespace mpm::moving

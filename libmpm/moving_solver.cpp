@@ -1,0 +1,406 @@
+#include "libmpm/moving_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <utility>
+
+#include "libmpm/instruction_set.hpp"
+#include "libmpm/lattice_points.hpp"
+#include "libmpm/strength.hpp"
+
+namespace mpm {
+namespace {
+
+/// Mass of the lightest pixel that the scene can hold [kg/m].
+double lightest_point(const Scene& scene) {
+  double lightest = Phase::unbreakable;
+  for (const auto label : scene.labels.reshaped())
+    if (scene.phases[label]) lightest = std::min(lightest, scene.phases[label]->density);
+  for (const auto& point : scene.extra_points)
+    if (scene.phases[point.phase]) lightest = std::min(lightest, scene.phases[point.phase]->density);
+  return lightest * scene.pixel_size * scene.pixel_size;
+}
+
+}  // namespace
+
+template <class Real>
+MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingStart start)
+    : scene_(scene),
+      plan_(plan),
+      sweeps_(chosen_moving_kernels(scene.instruction_set).template sweeps<Real>(plan.moving.features)),
+      geometry_(moving_geometry(scene, plan)),
+      supports_(supports_of(scene)),
+      grid_(make_moving_grid<Real>(geometry_)),
+      momentum_(geometry_, 3),
+      force_(geometry_, 2),
+      points_(geometry_.tiles_y, geometry_.tiles_x, sweeps_.lanes, record_layout(plan.moving.optional)),
+      row_impulses_(static_cast<std::size_t>(geometry_.nodes_y)),
+      row_damped_(static_cast<std::size_t>(geometry_.nodes_y), 0.0),
+      live_(scene.phases.size(), 0),
+      speeds_(scene.phases.size(), 0.0),
+      start_(start.tally),
+      sums_(start.tally),
+      maps_(std::move(start.maps)) {
+  clock_.step = start.step;
+  clock_.time = reported_time_ = start.time;
+  clock_.displacement = reported_displacement_ = start.platen_displacement;
+  clock_.velocity = start.platen_velocity;
+  for (std::size_t label = 0; label < scene.phases.size(); ++label)
+    if (scene.phases[label]) speeds_[label] = wave_speed(*scene.phases[label], scene.plane);
+  const double lightest = lightest_point(scene);
+  // Lighter nodes are rounding: they take part in nothing.
+  least_mass_ = static_cast<Real>(1e-12 * lightest);
+  // A point alone on a node of weight S swings with c / (h sqrt S); the step that suits a full cell suits it
+  // from S = cfl^2 / 4 on. Where the stress follows the new velocity of the nodes (USL), lighter nodes strain
+  // the points with the velocity that they brought.
+  light_mass_ = static_cast<Real>(0.25 * scene.cfl * scene.cfl * lightest);
+  step_.half_size = static_cast<Real>(plan.moving.half_size);
+  step_.hx = static_cast<Real>(plan.cell_size);
+  step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
+  step_.unilateral = static_cast<Real>(scene.damage.crack_closure == CrackClosure::unilateral ? 1 : 0);
+  load_points(start.points);
+  make_bands();
+}
+
+template <class Real>
+void MovingSolver<Real>::make_bands() {
+  // Two bands must not meet in one row of nodes with a third.
+  const int most = std::max(1, geometry_.tiles_y / (geometry_.reach - 1));
+  const int count = std::clamp(scene_.threads, 1, most);
+  bands_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    Band& band = bands_[static_cast<std::size_t>(i)];
+    band.begin = static_cast<int>(static_cast<std::int64_t>(geometry_.tiles_y) * i / count);
+    band.end = static_cast<int>(static_cast<std::int64_t>(geometry_.tiles_y) * (i + 1) / count);
+    band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
+    band.failed.assign(scene_.phases.size(), 0);
+  }
+}
+
+template <class Real>
+double MovingSolver<Real>::cell_height(double displacement) const {
+  return (plan_.cell_size * geometry_.cells_y + displacement) / geometry_.cells_y;
+}
+
+template <class Real>
+TilePlace MovingSolver<Real>::place_of(double x, double y, Real& xi, Real& eta) const {
+  const double tile_x = (x - geometry_.left) / plan_.cell_size - geometry_.tile_offset;
+  const double tile_y = (y - geometry_.bottom) / cell_height(clock_.displacement) - geometry_.tile_offset;
+  const int col = std::clamp(static_cast<int>(std::floor(tile_x)), 0, geometry_.tiles_x - 1);
+  const int row = std::clamp(static_cast<int>(std::floor(tile_y)), 0, geometry_.tiles_y - 1);
+  xi = static_cast<Real>(tile_x - col);
+  eta = static_cast<Real>(tile_y - row);
+  return {row, col};
+}
+
+template <class Real>
+typename MovingSolver<Real>::Loose MovingSolver<Real>::loose_point(const StartPoint& point) const {
+  using namespace moving;
+  const PointOrigin origin = origin_of(scene_, point.id);
+  const Phase& phase = *origin.phase;
+  const Eigen::Matrix3d c = stiffness(phase, scene_.plane);
+  Loose loose;
+  loose.id = point.id;
+  auto& v = loose.values;
+  loose.tile = place_of(point.x, point.y, v[xi], v[eta]);
+  v[vx] = static_cast<Real>(point.vx);
+  v[vy] = static_cast<Real>(point.vy);
+  v[mass] = static_cast<Real>(point.mass);
+  v[volume] = static_cast<Real>(point.volume);
+  v[sxx] = static_cast<Real>(point.stress.xx);
+  v[syy] = static_cast<Real>(point.stress.yy);
+  v[sxy] = static_cast<Real>(point.stress.xy);
+  v[lame] = static_cast<Real>(point.kept * c(0, 1));
+  v[shear] = static_cast<Real>(point.kept * c(2, 2));
+  v[tension] = v[crush] = static_cast<Real>(kernels::unreachable);
+  if (phase.can_fail() && !point.ghost) {
+    const double factor = strength_factor(origin.random, phase.weibull_modulus);
+    const double threshold = point.cracked ? 0 : tension_threshold(phase, factor);
+    if (!point.cracked) v[tension] = static_cast<Real>(stored_threshold(threshold, 1));
+    v[crush] = static_cast<Real>(stored_threshold(shear_onset(phase, factor, threshold), 1));
+  }
+  const RecordLayout& layout = points_.layout();
+  const auto at = [&](int field) -> Real& { return v[static_cast<std::size_t>(field)]; };
+  if (layout.cracked >= 0) at(layout.cracked) = point.cracked ? 1 : 0;
+  if (layout.deformation >= 0) at(layout.deformation) = at(layout.deformation + 3) = 1;
+  return loose;
+}
+
+template <class Real>
+void MovingSolver<Real>::load_points(const std::vector<StartPoint>& points) {
+  double fastest = 0;
+  for (const StartPoint& point : points) {
+    points_.insert(loose_point(point));
+    if (!point.ghost || point.kept > 0) ++live_[origin_of(scene_, point.id).label];
+    fastest = std::max(fastest, point.vx * point.vx + point.vy * point.vy);
+  }
+  start_fastest_ = static_cast<Real>(fastest);
+}
+
+template <class Real>
+bool MovingSolver<Real>::is_done() const {
+  if (!failure_.empty()) return true;
+  if (scene_.loading.direction == Direction::none) return reported_time_ >= scene_.loading.duration;
+  return std::abs(reported_displacement_) >= scene_.loading.stop_strain * scene_.height();
+}
+
+template <class Real>
+Ledger MovingSolver<Real>::advance(std::int64_t steps) {
+  clock_.stopped = false;
+  std::barrier<> barrier(static_cast<std::ptrdiff_t>(bands_.size()));
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < bands_.size(); ++i)
+      others.emplace_back([this, i, steps, &barrier] { run_band(i, steps, barrier); });
+    run_band(0, steps, barrier);
+  }
+  return balance();
+}
+
+template <class Real>
+void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, std::barrier<>& barrier) {
+  Band& band = bands_[index];
+  for (std::int64_t i = 0; i < steps; ++i) {
+    if (index == 0) begin_step();
+    barrier.arrive_and_wait();
+    switch (scene_.motion.scheme) {
+      case Scheme::usf:
+        step_usf(band, barrier);
+        break;
+      case Scheme::usl:
+        step_usl(band, barrier);
+        break;
+      case Scheme::musl:
+        step_musl(band, barrier);
+        break;
+    }
+    barrier.arrive_and_wait();
+    if (index == 0) end_step();
+    barrier.arrive_and_wait();
+    if (clock_.stopped) return;
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::begin_step() {
+  choose_time_step();
+  const double height = cell_height(clock_.displacement);
+  if (scene_.loading.direction != Direction::none) {
+    const double sign = scene_.loading.direction == Direction::tension ? 1.0 : -1.0;
+    clock_.velocity = sign * scene_.loading.velocity * ramp(plan_, clock_.time + 0.5 * clock_.dt);
+    supports_.top.velocity = clock_.velocity;
+  }
+  step_.hy = static_cast<Real>(height);
+  step_.dt = static_cast<Real>(clock_.dt);
+  step_.stretch = static_cast<Real>(cell_height(clock_.displacement + clock_.dt * clock_.velocity) / height);
+}
+
+/// From the fastest wave in what still carries load and the fastest point. A step may shrink at once and
+/// grows by a twentieth at most.
+template <class Real>
+void MovingSolver<Real>::choose_time_step() {
+  double wave = 0;
+  for (std::size_t label = 0; label < live_.size(); ++label)
+    if (live_[label] > 0) wave = std::max(wave, speeds_[label]);
+  Real fastest = start_fastest_;
+  for (const Band& band : bands_) fastest = std::max(fastest, band.fastest);
+  start_fastest_ = 0;
+  if (!(wave > 0)) wave = *std::max_element(speeds_.begin(), speeds_.end());
+  const double size = std::min(plan_.cell_size, cell_height(clock_.displacement));
+  const double dt = scene_.cfl * size / (wave + std::sqrt(static_cast<double>(fastest)));
+  clock_.dt = clock_.dt > 0 ? std::min(dt, 1.05 * clock_.dt) : dt;
+  if (first_dt_ <= 0) first_dt_ = clock_.dt;
+}
+
+template <class Real>
+void MovingSolver<Real>::end_step() {
+  resort();
+  Impulses sum;
+  for (Impulses& row : row_impulses_) {
+    sum.bottom += row.bottom;
+    sum.top += row.top;
+    sum.work += row.work;
+    row = {};
+  }
+  force_bottom_ = sum.bottom / clock_.dt;
+  force_top_ = sum.top / clock_.dt;
+  sums_ = start_;
+  for (Band& band : bands_) {
+    sums_.released += band.tally.released;
+    sums_.tension_failures += band.tally.tension_failures;
+    sums_.shear_failures += band.tally.shear_failures;
+    for (std::size_t label = 0; label < live_.size(); ++label)
+      live_[label] -= std::exchange(band.failed[label], 0);
+  }
+  start_.platen_work += sum.work;
+  sums_.platen_work = start_.platen_work;
+  reported_displacement_ = clock_.displacement;
+  reported_time_ = clock_.time;
+  clock_.displacement += clock_.dt * clock_.velocity;
+  clock_.time += clock_.dt;
+  ++clock_.step;
+  if (!(clock_.dt > 1e-6 * first_dt_)) stop("the time step has collapsed");
+  clock_.stopped = is_done();
+}
+
+template <class Real>
+template <class Scatter, class Sweep>
+void MovingSolver<Real>::scatter_rows(Band& band, std::barrier<>& barrier, Scatter&& scatter, Sweep&& sweep) {
+  // Above the lowest rows of nodes, which the band below reaches too, all is there with the row itself.
+  const int own = band.begin > 0 ? band.begin + geometry_.reach - 1 : 0;
+  for (int row = band.begin; row < band.end; ++row) {
+    scatter(row);
+    if (row >= own) sweep(row);
+  }
+  barrier.arrive_and_wait();
+  for (int row = band.begin; row < own; ++row) sweep(row);
+  if (band.end == geometry_.tiles_y)
+    for (int row = std::max(band.end, own); row < geometry_.nodes_y; ++row) sweep(row);
+  barrier.arrive_and_wait();
+}
+
+template <class Real>
+void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
+  using Grid = MovingGrid<Real>;
+  scatter_rows(
+      band, barrier,
+      [&](int row) {
+        scatter_mass_and_momentum(row);
+        scatter_internal_force(row);
+      },
+      [&](int row) {
+        sum_momentum(row, &Grid::vx, &Grid::vy);
+        integrate_momentum(row);
+      });
+  band.fastest = 0;
+  scatter_rows(
+      band, barrier,
+      [&](int row) {
+        gather_motion(band, row);
+        scatter_mass_and_momentum(row);
+      },
+      [&](int row) {
+        sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
+        hold(row, &Grid::strain_x, &Grid::strain_y, false);
+      });
+  for (int row = band.begin; row < band.end; ++row) {
+    update_stress_and_damage(band, row);
+    move_points(band, row);
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::step_usl(Band& band, std::barrier<>& barrier) {
+  using Grid = MovingGrid<Real>;
+  scatter_rows(
+      band, barrier,
+      [&](int row) {
+        scatter_mass_and_momentum(row);
+        scatter_internal_force(row);
+      },
+      [&](int row) {
+        sum_momentum(row, &Grid::vx, &Grid::vy);
+        integrate_momentum(row);
+        choose_straining_velocity(row);
+      });
+  band.fastest = 0;
+  for (int row = band.begin; row < band.end; ++row) {
+    gather_motion(band, row);
+    update_stress_and_damage(band, row);
+    move_points(band, row);
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::step_usf(Band& band, std::barrier<>& barrier) {
+  using Grid = MovingGrid<Real>;
+  scatter_rows(
+      band, barrier, [&](int row) { scatter_mass_and_momentum(row); },
+      [&](int row) {
+        sum_momentum(row, &Grid::vx, &Grid::vy);
+        sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
+        hold(row, &Grid::strain_x, &Grid::strain_y, false);
+      });
+  scatter_rows(
+      band, barrier,
+      [&](int row) {
+        update_stress_and_damage(band, row);
+        scatter_internal_force(row);
+      },
+      [&](int row) { integrate_momentum(row); });
+  band.fastest = 0;
+  for (int row = band.begin; row < band.end; ++row) {
+    gather_motion(band, row);
+    move_points(band, row);
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::stop(std::string what) {
+  if (failure_.empty()) failure_ = std::move(what);
+}
+
+template <class Real>
+PointView MovingSolver<Real>::view(const Slot& slot) const {
+  const auto value = [&](int field) { return static_cast<double>(points_.value(slot, field)); };
+  PointView point;
+  point.id = points_.id(slot);
+  const double col = slot.block * points_.lanes() + slot.lane + geometry_.tile_offset + value(moving::xi);
+  const double row = slot.row + geometry_.tile_offset + value(moving::eta);
+  point.x = geometry_.left + col * plan_.cell_size;
+  point.y = geometry_.bottom + row * cell_height(clock_.displacement);
+  point.vx = value(moving::vx);
+  point.vy = value(moving::vy);
+  point.mass = value(moving::mass);
+  point.volume = value(moving::volume);
+  point.stress = {value(moving::sxx), value(moving::syy), value(moving::sxy)};
+  const moving::RecordLayout& layout = points_.layout();
+  for (int i = 0; i < 4; ++i) {
+    if (layout.affine >= 0) point.gradient[i] = value(layout.affine + i);
+    if (layout.deformation >= 0) point.deformation[i] = value(layout.deformation + i);
+  }
+  return point;
+}
+
+template <class Real>
+std::vector<PointView> MovingSolver<Real>::points() const {
+  std::vector<PointView> views;
+  for (int row = 0; row < points_.rows(); ++row)
+    points_.for_each(row, [&](const Slot& slot) { views.push_back(view(slot)); });
+  return views;
+}
+
+template <class Real>
+void MovingSolver<Real>::kick(const Kick& change) {
+  for (int row = 0; row < points_.rows(); ++row) {
+    points_.for_each(row, [&](const Slot& slot) {
+      const PointView point = view(slot);
+      double vx = point.vx;
+      double vy = point.vy;
+      change(point, vx, vy);
+      points_.value(slot, moving::vx) = static_cast<Real>(vx);
+      points_.value(slot, moving::vy) = static_cast<Real>(vy);
+      start_fastest_ = std::max(start_fastest_, static_cast<Real>(vx * vx + vy * vy));
+    });
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::take_maps(Result& result) {
+  maps_.move_to(result);
+  const float nowhere = std::numeric_limits<float>::quiet_NaN();
+  result.end_x.setConstant(scene_.labels.rows(), scene_.labels.cols(), nowhere);
+  result.end_y = result.end_x;
+  for (const PointView& point : points()) {
+    if (point.id >= static_cast<std::uint32_t>(scene_.labels.size())) continue;
+    result.end_x.data()[point.id] = static_cast<float>(point.x);
+    result.end_y.data()[point.id] = static_cast<float>(point.y);
+  }
+}
+
+template class MovingSolver<float>;
+template class MovingSolver<double>;
+
+}  // namespace mpm

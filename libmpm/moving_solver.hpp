@@ -1,0 +1,167 @@
+/// Moving points: the explicit material point method in full. Points travel through the grid and carry mass,
+/// velocity and stress; the grid is made anew in each step.
+#pragma once
+
+#include <barrier>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "libmpm/ledger.hpp"
+#include "libmpm/moving_grid.hpp"
+#include "libmpm/moving_points.hpp"
+#include "libmpm/moving_start.hpp"
+#include "libmpm/result.hpp"
+#include "libmpm/support.hpp"
+
+namespace mpm {
+
+/// A point as it is now, for those who look on.
+struct PointView {
+  std::uint32_t id = 0;                  ///< as StartPoint::id
+  double x = 0, y = 0;                   ///< in the picture [m]
+  double vx = 0, vy = 0;                 ///< [m/s]
+  double mass = 0;                       ///< [kg/m]
+  double volume = 0;                     ///< [m^2]
+  Stress<double> stress;                 ///< of the intact material [Pa]
+  double gradient[4] = {0, 0, 0, 0};     ///< velocity gradient of APIC, row by row [1/s]
+  double deformation[4] = {1, 0, 0, 1};  ///< deformation gradient, row by row [-]; when the plan has it
+};
+
+template <class Real>
+class MovingSolver {
+ public:
+  /// The scene and the plan must outlive the solver.
+  MovingSolver(const Scene& scene, const Plan& plan, MovingStart start);
+
+  /// Take up to `steps` time steps (>= 1) on all threads; the ledger is that of the last of them. Ends early
+  /// when the platens have come to the strain, or the time to the duration, at which the run ends, and when
+  /// something goes wrong.
+  [[nodiscard]] Ledger advance(std::int64_t steps);
+
+  [[nodiscard]] std::int64_t steps() const { return clock_.step; }
+  [[nodiscard]] double time() const { return clock_.time; }  ///< [s]
+  [[nodiscard]] double dt() const { return clock_.dt; }      ///< of the last step [s]
+  [[nodiscard]] bool is_done() const;
+
+  /// Failure maps so far, moved out, and where the points are.
+  void take_maps(Result& result);
+
+  /// All points, in an order of the solver's own.
+  [[nodiscard]] std::vector<PointView> points() const;
+  /// Change the velocity of every point: by a body force, or to start from.
+  using Kick = std::function<void(const PointView& point, double& vx, double& vy)>;
+  void kick(const Kick& change);
+
+ private:
+  using Slot = typename MovingPoints<Real>::Slot;
+  using Loose = typename MovingPoints<Real>::Loose;
+  using Field = AlignedVector<Real> MovingGrid<Real>::*;
+
+  /// What an edge took from the specimen in a step.
+  struct Impulses {
+    double bottom = 0, top = 0;  ///< on the specimen, upwards [N s/m]
+    double work = 0;             ///< of the platens [J/m]
+  };
+
+  /// Rows of tiles of one thread, and the rows of nodes that begin with them.
+  struct Band {
+    int begin = 0, end = 0;
+    std::vector<std::uint8_t> flags;   ///< by block
+    std::vector<Loose> movers;         ///< points that left their tile
+    std::vector<std::int64_t> failed;  ///< by label, in this step
+    Real fastest = 0;                  ///< largest square of a speed [m^2/s^2]
+    Tally tally;
+  };
+
+  /// What changes from step to step.
+  struct Clock {
+    std::int64_t step = 0;
+    double time = 0;          ///< at the beginning of the step [s]
+    double dt = 0;            ///< [s]
+    double displacement = 0;  ///< of the top platen at the beginning of the step, upwards positive [m]
+    double velocity = 0;      ///< of the top platen in the step [m/s]
+    bool stopped = false;     ///< nothing is to be done any more
+  };
+
+  void make_bands();
+  void load_points(const std::vector<StartPoint>& points);
+  [[nodiscard]] Loose loose_point(const StartPoint& point) const;
+  [[nodiscard]] TilePlace place_of(double x, double y, Real& xi, Real& eta) const;
+
+  void run_band(std::size_t index, std::int64_t steps, std::barrier<>& barrier);
+  void begin_step();
+  void choose_time_step();
+  void end_step();
+  void step_usf(Band& band, std::barrier<>& barrier);
+  void step_usl(Band& band, std::barrier<>& barrier);
+  void step_musl(Band& band, std::barrier<>& barrier);
+
+  /// scatter(row) for the rows of a band, and sweep(row) for every row of nodes once all that meets in it is
+  /// there.
+  template <class Scatter, class Sweep>
+  void scatter_rows(Band& band, std::barrier<>& barrier, Scatter&& scatter, Sweep&& sweep);
+  void scatter_mass_and_momentum(int row);
+  void scatter_internal_force(int row);
+  void sum_momentum(int node_row, Field vx, Field vy);
+  void integrate_momentum(int node_row);
+  void choose_straining_velocity(int node_row);
+  void gather_motion(Band& band, int row);
+  void update_stress_and_damage(Band& band, int row);
+  void move_points(Band& band, int row);
+  void resort();
+
+  void hold(int node_row, Field vx, Field vy, bool counts);
+  void hold_node(int node_row, int col, Field vx, Field vy, bool counts);
+  [[nodiscard]] int pinned_column(int node_row);
+
+  void fail_suspects(Band& band, int row);
+  void fail_point(Band& band, const Slot& slot);
+  [[nodiscard]] Stress<double> stress_at(const Slot& slot) const;
+  [[nodiscard]] double nominal_strain() const;
+  void record_failure(const PointOrigin& origin, bool cracked, FailureMode mode);
+
+  [[nodiscard]] moving::NodeVectors<Real> nodes(int tile_row, Field x, Field y) const;
+  [[nodiscard]] moving::TileRow<Real> tiles(int row) {
+    return points_.tile_row(row, Real(geometry_.bottom_of(row)));
+  }
+  [[nodiscard]] PointView view(const Slot& slot) const;
+  [[nodiscard]] double cell_height(double displacement) const;
+  [[nodiscard]] Ledger balance() const;
+  [[nodiscard]] double elastic_energy(const Real* values, std::ptrdiff_t stride) const;
+  [[nodiscard]] std::string name_of(std::uint32_t id) const;
+  void leave(const Loose& point);
+  void stop(std::string what);
+
+  const Scene& scene_;
+  const Plan& plan_;
+  moving::Sweeps<Real> sweeps_;
+  MovingGeometry geometry_;
+  Supports supports_;
+  MovingGrid<Real> grid_;
+  TileSums<Real> momentum_, force_;
+  MovingPoints<Real> points_;
+  moving::Step<Real> step_{};
+  std::vector<Band> bands_;
+  std::vector<Impulses> row_impulses_;  ///< by row of nodes, in this step
+  std::vector<double> row_damped_;      ///< by row of nodes, in all [J/m]
+  std::vector<std::int64_t> live_;      ///< points that carry load, by label
+  std::vector<double> speeds_;          ///< of the compression wave, by label [m/s]
+  Real least_mass_ = 0, light_mass_ = 0;
+  int pinned_ = -1;         ///< column of the node that smooth platens hold; -1 = not chosen yet
+  double first_dt_ = 0;     ///< [s]
+  Real start_fastest_ = 0;  ///< largest square of a speed that the points were given [m^2/s^2]
+  Clock clock_;
+  Tally start_;  ///< what was there before the first step
+  Tally sums_;
+  double force_top_ = 0, force_bottom_ = 0;  ///< in the last step [N/m]
+  double reported_displacement_ = 0;         ///< at the beginning of the last step [m]
+  double reported_time_ = 0;
+  std::int64_t left_ = 0;
+  double left_energy_ = 0;
+  std::string failure_;  ///< what went wrong
+  FailureMaps maps_;
+};
+
+}  // namespace mpm

@@ -1,0 +1,88 @@
+#include "libmpm/moving_start.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "libmpm/grid.hpp"
+#include "libmpm/strength.hpp"
+
+namespace mpm {
+
+FailureMaps empty_maps(const Scene& scene, const Plan& plan) {
+  FailureMaps maps;
+  if (plan.features.check == kernels::Check::none) return maps;
+  const float never = std::numeric_limits<float>::quiet_NaN();
+  maps.failure_strain.setConstant(scene.labels.rows(), scene.labels.cols(), never);
+  maps.failure_mode.setZero(scene.labels.rows(), scene.labels.cols());
+  if (plan.features.crack_closure) maps.crush_strain = maps.failure_strain;
+  maps.extra_failure_strain.assign(scene.extra_points.size(), never);
+  maps.extra_failure_mode.assign(scene.extra_points.size(), 0);
+  return maps;
+}
+
+void FailureMaps::move_to(Result& result) {
+  result.failure_strain = std::move(failure_strain);
+  result.failure_mode = std::move(failure_mode);
+  result.crush_strain = std::move(crush_strain);
+  result.extra_failure_strain = std::move(extra_failure_strain);
+  result.extra_failure_mode = std::move(extra_failure_mode);
+}
+
+MovingStart start_of(const Scene& scene, const Plan& plan) {
+  MovingStart start;
+  start.maps = empty_maps(scene, plan);
+  const auto count = points_per_pixel(scene);
+  const double area = scene.pixel_size * scene.pixel_size;
+  const bool flies = scene.loading.direction == Direction::none;
+  StartPoint point;
+  if (flies) {
+    point.vx = scene.loading.initial_velocity_x;
+    point.vy = scene.loading.initial_velocity_y;
+  }
+  const auto add = [&](double x, double y, const Phase& phase, double share) {
+    point.x = x;
+    point.y = y;
+    point.volume = area * share;
+    point.mass = phase.density * point.volume;
+    start.points.push_back(point);
+  };
+  const auto rows = scene.labels.rows();
+  const auto cols = scene.labels.cols();
+  start.points.reserve(static_cast<std::size_t>(rows * cols) + scene.extra_points.size());
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    for (Eigen::Index col = 0; col < cols; ++col) {
+      const auto& phase = scene.phases[scene.labels(row, col)];
+      if (!phase) continue;
+      point.id = static_cast<std::uint32_t>(row * cols + col);
+      add((static_cast<double>(col) + 0.5) * scene.pixel_size,
+          (static_cast<double>(rows - row) - 0.5) * scene.pixel_size, *phase, 1.0 / count(row, col));
+    }
+  }
+  for (std::size_t i = 0; i < scene.extra_points.size(); ++i) {
+    const ExtraPoint& extra = scene.extra_points[i];
+    if (!scene.phases[extra.phase]) continue;
+    const Pixel pixel = pixel_at(scene, extra.x, extra.y);
+    point.id = static_cast<std::uint32_t>(static_cast<std::size_t>(rows * cols) + i);
+    add(extra.x, extra.y, *scene.phases[extra.phase], 1.0 / count(pixel.row, pixel.col));
+  }
+  return start;
+}
+
+PointOrigin origin_of(const Scene& scene, std::uint32_t id) {
+  PointOrigin origin;
+  const auto pixels = static_cast<std::size_t>(scene.labels.size());
+  if (id < pixels) {
+    origin.row = static_cast<int>(id / scene.labels.cols());
+    origin.col = static_cast<int>(id % scene.labels.cols());
+    origin.label = scene.labels(origin.row, origin.col);
+    origin.random = pixel_random(scene.damage.seed, origin.row, origin.col);
+  } else {
+    origin.extra = id - pixels;
+    origin.label = scene.extra_points[origin.extra].phase;
+    origin.random = uniform_random(scene.damage.seed, origin.extra, 1);
+  }
+  origin.phase = &*scene.phases[origin.label];
+  return origin;
+}
+
+}  // namespace mpm

@@ -1,0 +1,69 @@
+/// What moving points start from: the specimen at rest or in flight, or a run that small strain has begun.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libmpm/plan.hpp"
+#include "libmpm/result.hpp"
+#include "libmpm/scene.hpp"
+#include "libmpm/stress.hpp"
+
+namespace mpm {
+
+/// A material point as it comes to the solver of moving points.
+struct StartPoint {
+  std::uint32_t id = 0;   ///< row * columns + column of its pixel; those of extra points follow
+  double x = 0, y = 0;    ///< in the picture [m]
+  double vx = 0, vy = 0;  ///< [m/s]
+  double mass = 0;        ///< [kg/m]
+  double volume = 0;      ///< [m^2]
+  Stress<double> stress;  ///< of the intact material, or with its residual stiffness [Pa]
+  double kept = 1;        ///< share of its stiffness that it still has [-]
+  bool ghost = false;     ///< failed
+  bool cracked = false;   ///< failed in tension, and carries compression (crack closure)
+};
+
+/// Counts and energies so far.
+struct Tally {
+  double platen_work = 0;  ///< [J/m]
+  double released = 0;     ///< [J/m]
+  double damped = 0;       ///< [J/m]
+  std::int64_t tension_failures = 0, shear_failures = 0;
+};
+
+/// Where and when which point failed; see Result.
+struct FailureMaps {
+  Lattice<float> failure_strain, crush_strain;
+  Lattice<std::uint8_t> failure_mode;
+  std::vector<float> extra_failure_strain;
+  std::vector<std::uint8_t> extra_failure_mode;
+
+  void move_to(Result& result);
+};
+[[nodiscard]] FailureMaps empty_maps(const Scene& scene, const Plan& plan);
+
+struct MovingStart {
+  std::vector<StartPoint> points;
+  std::int64_t step = 0;
+  double time = 0;                 ///< [s]
+  double platen_displacement = 0;  ///< of the top platen, upwards positive [m]
+  double platen_velocity = 0;      ///< in the step before, upwards positive [m/s]
+  Tally tally;
+  FailureMaps maps;
+};
+
+/// The specimen as the picture shows it, without stress, at its initial velocity.
+[[nodiscard]] MovingStart start_of(const Scene& scene, const Plan& plan);
+
+/// A point by its id: what the scene says of it.
+struct PointOrigin {
+  const Phase* phase = nullptr;
+  std::uint8_t label = 0;
+  double random = 0.5;     ///< its random number
+  int row = -1, col = -1;  ///< of its pixel; -1 for extra points
+  std::size_t extra = 0;   ///< index in Scene::extra_points, when row < 0
+};
+[[nodiscard]] PointOrigin origin_of(const Scene& scene, std::uint32_t id);
+
+}  // namespace mpm

@@ -1,0 +1,253 @@
+// The parts of a step of moving points, row by row, and the order of the points after it.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "libmpm/moving_solver.hpp"
+
+namespace mpm {
+
+template <class Real>
+moving::NodeVectors<Real> MovingSolver<Real>::nodes(int tile_row, Field x, Field y) const {
+  const std::size_t at = grid_.at(tile_row);
+  return {(grid_.*x).data() + at, (grid_.*y).data() + at, grid_.stride};
+}
+
+template <class Real>
+void MovingSolver<Real>::scatter_mass_and_momentum(int row) {
+  if (points_.is_empty(row)) return momentum_.clear(row);
+  momentum_.mark_filled(row);
+  sweeps_.scatter_momentum(tiles(row), step_, momentum_.sums(row));
+}
+
+template <class Real>
+void MovingSolver<Real>::scatter_internal_force(int row) {
+  if (points_.is_empty(row)) return force_.clear(row);
+  force_.mark_filled(row);
+  sweeps_.scatter_force(tiles(row), step_, force_.sums(row));
+}
+
+template <class Real>
+void MovingSolver<Real>::sum_momentum(int node_row, Field vx, Field vy) {
+  const std::size_t at = grid_.at(node_row);
+  sweeps_.sum_momentum(momentum_.node_row(node_row), least_mass_, grid_.mass.data() + at,
+                       (grid_.*vx).data() + at, (grid_.*vy).data() + at);
+}
+
+template <class Real>
+void MovingSolver<Real>::integrate_momentum(int node_row) {
+  const std::size_t at = grid_.at(node_row);
+  const moving::Integration<Real> in{
+      .forces = force_.node_row(node_row),
+      .dt = step_.dt,
+      .damping = static_cast<Real>(scene_.local_damping),
+      .least_mass = least_mass_,
+      .mass = grid_.mass.data() + at,
+      .vx = grid_.vx.data() + at,
+      .vy = grid_.vy.data() + at,
+      .fresh_x = grid_.fresh_x.data() + at,
+      .fresh_y = grid_.fresh_y.data() + at,
+      .change_x = grid_.change_x.data() + at,
+      .change_y = grid_.change_y.data() + at,
+  };
+  row_damped_[static_cast<std::size_t>(node_row)] += sweeps_.integrate(in);
+  hold(node_row, &MovingGrid<Real>::fresh_x, &MovingGrid<Real>::fresh_y, true);
+}
+
+template <class Real>
+void MovingSolver<Real>::choose_straining_velocity(int node_row) {
+  for (int col = 0; col < geometry_.nodes_x; ++col) {
+    const std::size_t at = grid_.at(node_row, col);
+    const bool light = grid_.mass[at] < light_mass_;
+    grid_.strain_x[at] = light ? grid_.vx[at] : grid_.fresh_x[at];
+    grid_.strain_y[at] = light ? grid_.vy[at] : grid_.fresh_y[at];
+  }
+  hold(node_row, &MovingGrid<Real>::strain_x, &MovingGrid<Real>::strain_y, false);
+}
+
+/// Smooth platens leave the specimen free to slide; the node of the bottom nearest the middle of the picture
+/// holds it.
+template <class Real>
+int MovingSolver<Real>::pinned_column(int node_row) {
+  if (pinned_ >= 0) return pinned_;
+  const int middle =
+      static_cast<int>(std::lround(-geometry_.left / plan_.cell_size)) + plan_.cells_x / 2 + geometry_.before;
+  const auto has_mass = [&](int col) {
+    return col >= 0 && col < geometry_.nodes_x && grid_.mass[grid_.at(node_row, col)] > least_mass_;
+  };
+  for (int distance = 0; distance < geometry_.nodes_x; ++distance) {
+    if (has_mass(middle - distance)) return pinned_ = middle - distance;
+    if (has_mass(middle + distance)) return pinned_ = middle + distance;
+  }
+  return -1;
+}
+
+/// What stands at the edges gives the nodes on it, and beyond it, its motion.
+/// @param counts  these are the velocities that the points will get: what is taken is a reaction.
+template <class Real>
+void MovingSolver<Real>::hold(int node_row, Field vx, Field vy, bool counts) {
+  const int last_row = geometry_.cells_y + geometry_.before;
+  const int last_col = geometry_.cells_x + geometry_.before;
+  const bool at_bottom = node_row <= geometry_.before && supports_.bottom.active;
+  const bool at_top = node_row >= last_row && supports_.top.active;
+  if (at_bottom || at_top) {
+    for (int col = 0; col < geometry_.nodes_x; ++col) hold_node(node_row, col, vx, vy, counts);
+    return;
+  }
+  if (supports_.left.active)
+    for (int col = 0; col <= geometry_.before; ++col) hold_node(node_row, col, vx, vy, counts);
+  if (supports_.right.active)
+    for (int col = last_col; col < geometry_.nodes_x; ++col) hold_node(node_row, col, vx, vy, counts);
+}
+
+template <class Real>
+void MovingSolver<Real>::hold_node(int node_row, int col, Field vx, Field vy, bool counts) {
+  const std::size_t at = grid_.at(node_row, col);
+  if (!(grid_.mass[at] > least_mass_)) return;
+  const double free_x = (grid_.*vx)[at];
+  const double free_y = (grid_.*vy)[at];
+  double x = free_x;
+  double y = free_y;
+  const int last_row = geometry_.cells_y + geometry_.before;
+  const int last_col = geometry_.cells_x + geometry_.before;
+  const bool at_bottom = node_row <= geometry_.before;
+  const bool at_top = node_row >= last_row;
+  if (at_bottom || at_top) {
+    const auto held = (at_top ? supports_.top : supports_.bottom).held({y, x}, at_top ? 1 : -1);
+    y = held.normal;
+    x = held.tangential;
+  }
+  if (col <= geometry_.before || col >= last_col) {
+    const bool right = col >= last_col;
+    const auto held = (right ? supports_.right : supports_.left).held({x, y}, right ? 1 : -1);
+    x = held.normal;
+    y = held.tangential;
+  }
+  const bool slides = scene_.loading.direction != Direction::none &&
+                      scene_.loading.platen == Platen::smooth && !scene_.loading.separation;
+  if (slides && at_bottom && col == pinned_column(node_row)) x = 0;
+  if (x == free_x && y == free_y) return;
+  (grid_.*vx)[at] = static_cast<Real>(x);
+  (grid_.*vy)[at] = static_cast<Real>(y);
+  if (!counts) return;
+  grid_.change_x[at] += static_cast<Real>(x - free_x);
+  grid_.change_y[at] += static_cast<Real>(y - free_y);
+  const double impulse = static_cast<double>(grid_.mass[at]) * (y - free_y);
+  Impulses& sums = row_impulses_[static_cast<std::size_t>(node_row)];
+  if (at_bottom) sums.bottom += impulse;
+  if (at_top) {
+    sums.top += impulse;
+    sums.work += impulse * supports_.top.velocity;
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::gather_motion(Band& band, int row) {
+  using Grid = MovingGrid<Real>;
+  if (points_.is_empty(row)) return;
+  const Real fastest =
+      sweeps_.gather_velocity(tiles(row), step_, nodes(row, &Grid::change_x, &Grid::change_y),
+                              nodes(row, &Grid::fresh_x, &Grid::fresh_y));
+  band.fastest = std::max(band.fastest, fastest);
+}
+
+template <class Real>
+void MovingSolver<Real>::update_stress_and_damage(Band& band, int row) {
+  using Grid = MovingGrid<Real>;
+  if (points_.is_empty(row)) return;
+  const auto velocity = nodes(row, &Grid::strain_x, &Grid::strain_y);
+  if (sweeps_.update_stress(tiles(row), step_, velocity, band.flags.data()) != 0) fail_suspects(band, row);
+  if (plan_.moving.optional.deformation) sweeps_.deform(tiles(row), step_, velocity);
+}
+
+/// Points that left their tile come into the band's list of movers.
+template <class Real>
+void MovingSolver<Real>::move_points(Band& band, int row) {
+  using Grid = MovingGrid<Real>;
+  if (points_.is_empty(row)) return;
+  if (sweeps_.move_points(tiles(row), step_, nodes(row, &Grid::fresh_x, &Grid::fresh_y), band.flags.data()) ==
+      0)
+    return;
+  for (int block = 0; block < points_.blocks(); ++block) {
+    if (band.flags[static_cast<std::size_t>(block)] == 0) continue;
+    points_.for_each_of_block(row, block, [&](const Slot& slot) {
+      const Real x = points_.value(slot, moving::xi);
+      const Real y = points_.value(slot, moving::eta);
+      if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) band.movers.push_back(points_.take_out(slot));
+    });
+    points_.trim(row, block);
+  }
+}
+
+/// Points that left their tile go to the one that they are in, in the order of the rows they came from,
+/// whatever the number of bands.
+template <class Real>
+void MovingSolver<Real>::resort() {
+  for (Band& band : bands_) {
+    for (Loose& point : band.movers) {
+      const auto step_over = [&](int& tile, Real& place) {
+        const Real tiles = std::floor(place);
+        if (!(std::abs(tiles) <= 1)) return false;
+        tile += static_cast<int>(tiles);
+        place -= tiles;
+        if (place >= 1) place = std::nextafter(Real(1), Real(0));  // a place just below 0, rounded
+        return true;
+      };
+      const TilePlace from = point.tile;
+      if (!step_over(point.tile.col, point.values[moving::xi]) ||
+          !step_over(point.tile.row, point.values[moving::eta])) {
+        point.tile = from;
+        stop("a point moves further than a cell in a step, " + name_of(point.id));
+        continue;
+      }
+      const bool inside = point.tile.row >= 0 && point.tile.row < geometry_.tiles_y && point.tile.col >= 0 &&
+                          point.tile.col < geometry_.tiles_x;
+      if (inside)
+        points_.insert(point);
+      else
+        leave(point);
+    }
+    band.movers.clear();
+  }
+}
+
+template <class Real>
+std::string MovingSolver<Real>::name_of(std::uint32_t id) const {
+  const PointOrigin origin = origin_of(scene_, id);
+  char text[96];
+  if (origin.row < 0)
+    std::snprintf(text, sizeof text, "extra point %zu", origin.extra);
+  else
+    std::snprintf(text, sizeof text, "the point of pixel (row %d, column %d)", origin.row, origin.col);
+  return text;
+}
+
+template <class Real>
+void MovingSolver<Real>::leave(const Loose& point) {
+  const Motion& motion = scene_.motion;
+  const bool sideways = point.tile.col < 0 || point.tile.col >= geometry_.tiles_x;
+  const bool first = sideways ? point.tile.col < 0 : point.tile.row < 0;
+  const bool platens = scene_.loading.direction != Direction::none;
+  const Edge edge = sideways ? (first ? motion.left : motion.right)
+                             : (platens ? Edge::symmetry
+                                : first ? motion.bottom
+                                        : motion.top);
+  const char* name = sideways ? (first ? "left" : "right") : (first ? "bottom" : "top");
+  if (edge != Edge::open) {
+    stop(std::string("a point left the grid at the ") + name + " edge, " + name_of(point.id) +
+         (edge == Edge::closed ? std::string("; make motion.margin larger, or motion.") + name + " = \"open\""
+                               : std::string()));
+    return;
+  }
+  const auto& v = point.values;
+  ++left_;
+  left_energy_ += 0.5 * static_cast<double>(v[moving::mass]) *
+                  static_cast<double>(v[moving::vx] * v[moving::vx] + v[moving::vy] * v[moving::vy]);
+  left_energy_ += elastic_energy(point.values.data(), 1);
+  if (v[moving::shear] > 0) --live_[origin_of(scene_, point.id).label];
+}
+
+template class MovingSolver<float>;
+template class MovingSolver<double>;
+
+}  // namespace mpm
