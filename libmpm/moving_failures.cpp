@@ -85,25 +85,8 @@ void MovingSolver<Real>::record_failure(const PointOrigin& origin, bool cracked,
   }
 }
 
-/// Elastic energy of a point [J/m]. `values`: its fields, `stride` apart.
 template <class Real>
-double MovingSolver<Real>::elastic_energy(const Real* values, std::ptrdiff_t stride) const {
-  const auto value = [&](int field) { return static_cast<double>(values[field * stride]); };
-  const double lame = value(moving::lame);
-  const double shear = value(moving::shear);
-  if (!(shear > 0)) return 0;
-  const Stress<double> elastic{value(moving::sxx), value(moving::syy), value(moving::sxy)};
-  Stress<double> s = elastic;
-  const int cracked = points_.layout().cracked;
-  if (cracked >= 0 && value(cracked) > 0)
-    s = without_tension(elastic, static_cast<double>(step_.unilateral) * lame / (lame + 2 * shear));
-  const double product = s.xx * elastic.xx + s.yy * elastic.yy + 2 * s.xy * elastic.xy;
-  const double traces = (s.xx + s.yy) * (elastic.xx + elastic.yy);
-  return 0.5 * value(moving::volume) * (product - 0.5 * lame / (lame + shear) * traces) / (2 * shear);
-}
-
-template <class Real>
-Ledger MovingSolver<Real>::balance() const {
+Ledger MovingSolver<Real>::balance() {
   Ledger ledger;
   ledger.time = reported_time_;
   ledger.platen_displacement = std::abs(reported_displacement_);
@@ -118,13 +101,9 @@ Ledger MovingSolver<Real>::balance() const {
   ledger.tension_failures = sums_.tension_failures;
   ledger.shear_failures = sums_.shear_failures;
   for (int row = 0; row < points_.rows(); ++row) {
-    points_.for_each(row, [&](const Slot& slot) {
-      const Real* values = &points_.value(slot, 0);
-      const auto value = [&](int field) { return static_cast<double>(points_.value(slot, field)); };
-      ledger.kinetic += 0.5 * value(moving::mass) *
-                        (value(moving::vx) * value(moving::vx) + value(moving::vy) * value(moving::vy));
-      ledger.elastic += elastic_energy(values, points_.lanes());
-    });
+    const moving::Energies energies = sweeps_.measure_energies(tiles(row), step_);
+    ledger.kinetic += energies.kinetic;
+    ledger.elastic += energies.elastic;
   }
   if (!std::isfinite(ledger.kinetic + ledger.elastic + force_top_ + force_bottom_))
     ledger.diverged_at = clock_.step;

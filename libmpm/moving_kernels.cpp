@@ -535,6 +535,41 @@ void deform(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> v
   }
 }
 
+template <class Real>
+MPM_INLINE double sum_of(const Pack<Real>& pack) {
+  double sum = 0;
+  for (int i = 0; i < lanes<Real>; ++i) sum += static_cast<double>(pack[i]);
+  return sum;
+}
+
+/// Kinetic energy, and the elastic energy 1/2 V s : e with e of the stress that an intact point would carry.
+template <class Real, bool closure>
+Energies measure_energies(const TileRow<Real>& in, const Step<Real>& step) {
+  const TileRow<Real> row = in;
+  const Pack<Real> zero{};
+  Energies sum;
+  for (int block = 0; block < row.blocks; ++block) {
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      const Real* record = record_of(row, block, slot);
+      const Pack<Real> v_x = field(record, Field::vx);
+      const Pack<Real> v_y = field(record, Field::vy);
+      sum.kinetic += sum_of<Real>(Real(0.5) * field(record, Field::mass) * (v_x * v_x + v_y * v_y));
+      const Stress<Pack<Real>> e = stress_of<Real>(record);
+      const Stress<Pack<Real>> s = carried<Real, closure>(e, row, record, step.unilateral);
+      const Pack<Real> lame = field(record, Field::lame);
+      const Pack<Real> shear = field(record, Field::shear);
+      const Mask<Real> carries = shear > zero;
+      const Pack<Real> g = carries ? shear : all<Real>(1);
+      const Pack<Real> product = s.xx * e.xx + s.yy * e.yy + 2 * s.xy * e.xy;
+      const Pack<Real> traces = (s.xx + s.yy) * (e.xx + e.yy);
+      const Pack<Real> energy =
+          Real(0.25) * field(record, Field::volume) * (product - Real(0.5) * lame / (lame + g) * traces) / g;
+      sum.elastic += sum_of<Real>(carries ? energy : zero);
+    }
+  }
+  return sum;
+}
+
 /// Sum of quantity f of n at node i over the tiles that hold it.
 template <class Real, int N, int quantities, int f>
 MPM_INLINE Pack<Real> node_sum(const NodeRow<Real>& row, int i) {
@@ -601,9 +636,7 @@ double integrate(const Integration<Real>& in) {
     if constexpr (damped)
       taken -= drag_x * (v_x + Real(0.5) * change_x) + drag_y * (v_y + Real(0.5) * change_y);
   }
-  double sum = 0;
-  for (int i = 0; i < lanes<Real>; ++i) sum += static_cast<double>(taken[i]);
-  return sum * static_cast<double>(nodes.dt);
+  return sum_of<Real>(taken) * static_cast<double>(nodes.dt);
 }
 
 template <class Real, Stencil stencil>
@@ -644,6 +677,7 @@ Sweeps<Real> sweeps_of(const Features& f) {
           update_stress_for<Real, stencil>(f),
           move_points<Real, stencil>,
           deform<Real, stencil>,
+          f.crack_closure ? measure_energies<Real, true> : measure_energies<Real, false>,
           sum_momentum<Real, stencil>,
           f.damping ? integrate<Real, stencil, true> : integrate<Real, stencil, false>};
 }

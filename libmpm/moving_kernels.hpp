@@ -118,6 +118,13 @@ using MovePoints = int (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<
 template <class Real>
 using Deform = void (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> velocity);
 
+/// Energies of the points of a row of tiles [J/m].
+struct Energies {
+  double kinetic = 0, elastic = 0;
+};
+template <class Real>
+using MeasureEnergies = Energies (*)(const TileRow<Real>&, const Step<Real>&);
+
 /// Sums of up to three rows of tiles that meet in a row of nodes: `tiles[b]` is the row of which it is row b.
 template <class Real>
 struct NodeRow {
@@ -162,6 +169,7 @@ struct Sweeps {
   UpdateStress<Real> update_stress;
   MovePoints<Real> move_points;
   Deform<Real> deform;
+  MeasureEnergies<Real> measure_energies;
   SumMomentum<Real> sum_momentum;
   Integrate<Real> integrate;
 };

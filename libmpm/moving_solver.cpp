@@ -33,8 +33,9 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
       geometry_(moving_geometry(scene, plan)),
       supports_(supports_of(scene)),
       grid_(make_moving_grid<Real>(geometry_)),
-      momentum_(geometry_, 3),
-      force_(geometry_, 2),
+      bands_(make_bands(scene, geometry_)),
+      momentum_(geometry_, 3, band_ends()),
+      force_(geometry_, 2, band_ends()),
       points_(geometry_.tiles_y, geometry_.tiles_x, sweeps_.lanes, record_layout(plan.moving.optional)),
       row_impulses_(static_cast<std::size_t>(geometry_.nodes_y)),
       row_damped_(static_cast<std::size_t>(geometry_.nodes_y), 0.0),
@@ -61,22 +62,30 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
   step_.unilateral = static_cast<Real>(scene.damage.crack_closure == CrackClosure::unilateral ? 1 : 0);
   load_points(start.points);
-  make_bands();
+  for (Band& band : bands_) band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
 }
 
 template <class Real>
-void MovingSolver<Real>::make_bands() {
+std::vector<typename MovingSolver<Real>::Band> MovingSolver<Real>::make_bands(
+    const Scene& scene, const MovingGeometry& geometry) {
   // Two bands must not meet in one row of nodes with a third.
-  const int most = std::max(1, geometry_.tiles_y / (geometry_.reach - 1));
-  const int count = std::clamp(scene_.threads, 1, most);
-  bands_.resize(static_cast<std::size_t>(count));
+  const int most = std::max(1, geometry.tiles_y / (geometry.reach - 1));
+  const int count = std::clamp(scene.threads, 1, most);
+  std::vector<Band> bands(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    Band& band = bands_[static_cast<std::size_t>(i)];
-    band.begin = static_cast<int>(static_cast<std::int64_t>(geometry_.tiles_y) * i / count);
-    band.end = static_cast<int>(static_cast<std::int64_t>(geometry_.tiles_y) * (i + 1) / count);
-    band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
-    band.failed.assign(scene_.phases.size(), 0);
+    Band& band = bands[static_cast<std::size_t>(i)];
+    band.begin = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * i / count);
+    band.end = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * (i + 1) / count);
+    band.failed.assign(scene.phases.size(), 0);
   }
+  return bands;
+}
+
+template <class Real>
+std::vector<int> MovingSolver<Real>::band_ends() const {
+  std::vector<int> ends;
+  for (const Band& band : bands_) ends.push_back(band.end);
+  return ends;
 }
 
 template <class Real>

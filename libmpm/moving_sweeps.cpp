@@ -239,12 +239,20 @@ void MovingSolver<Real>::leave(const Loose& point) {
                                : std::string()));
     return;
   }
-  const auto& v = point.values;
   ++left_;
-  left_energy_ += 0.5 * static_cast<double>(v[moving::mass]) *
-                  static_cast<double>(v[moving::vx] * v[moving::vx] + v[moving::vy] * v[moving::vy]);
-  left_energy_ += elastic_energy(point.values.data(), 1);
-  if (v[moving::shear] > 0) --live_[origin_of(scene_, point.id).label];
+  left_energy_ += energy_of(point);
+  if (point.values[moving::shear] > 0) --live_[origin_of(scene_, point.id).label];
+}
+
+/// Kinetic and elastic energy of a point outside of the storage [J/m].
+template <class Real>
+double MovingSolver<Real>::energy_of(const Loose& point) const {
+  MovingPoints<Real> alone(1, 1, sweeps_.lanes, points_.layout());
+  Loose copy = point;
+  copy.tile = {0, 0};
+  alone.insert(copy);
+  const moving::Energies energies = sweeps_.measure_energies(alone.tile_row(0, 0), step_);
+  return energies.kinetic + energies.elastic;
 }
 
 template class MovingSolver<float>;
