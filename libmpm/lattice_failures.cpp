@@ -51,11 +51,13 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
   const std::size_t at = points_.at(row, plane, cell);
   if (points_.tension[at] >= kernels::unreachable && points_.crush[at] >= kernels::unreachable) return false;
   const int k = scene_.points_per_cell;
-  const auto pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
-  const int pixel_col = cell * k + plane % k;
+  const int column_in_cell = plane % k;
+  const int row_in_cell = plane / k;
+  const auto pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + row_in_cell);
+  const int pixel_col = cell * k + column_in_cell;
   const Phase& phase = *scene_.phases[scene_.labels(pixel_row, pixel_col)];
-  const StepStress elastic =
-      stress_at(stiffness(phase, scene_.plane), row, cell, (plane % k + 0.5) / k, (plane / k + 0.5) / k);
+  const StepStress elastic = stress_at(stiffness(phase, scene_.plane), row, cell, (column_in_cell + 0.5) / k,
+                                       (row_in_cell + 0.5) / k);
   const bool cracked = plan_.features.crack_closure && points_.cracked[at] > 0;
   const double factor =
       strength_factor(pixel_random(scene_.damage.seed, pixel_row, pixel_col), phase.weibull_modulus);
