@@ -49,7 +49,10 @@ bool LatticeSolver<Real>::fail_suspects(Band& band, int row, double strain) {
 template <class Real>
 bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, double strain) {
   const std::size_t at = points_.at(row, plane, cell);
-  if (points_.tension[at] >= kernels::unreachable && points_.crush[at] >= kernels::unreachable) return false;
+  const auto reachable = [&](const AlignedVector<float>& thresholds) {
+    return !thresholds.empty() && thresholds[at] < kernels::unreachable;
+  };
+  if (!reachable(points_.tension) && !reachable(points_.crush)) return false;
   const int k = scene_.points_per_cell;
   const int column_in_cell = plane % k;
   const int row_in_cell = plane / k;
@@ -73,7 +76,7 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
     points_.cracked[at] = 1;
     points_.crush[at] = stored_threshold(shear_onset(phase, factor, 0), threshold_scale(plan_, phase, share));
   } else {
-    points_.crush[at] = kernels::unreachable;
+    if (!points_.crush.empty()) points_.crush[at] = kernels::unreachable;
     const auto kept = static_cast<Real>(scene_.damage.residual_stiffness);
     points_.stiffness[at] *= kept;
     if (!points_.shear.empty()) points_.shear[at] *= kept;

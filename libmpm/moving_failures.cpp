@@ -33,12 +33,12 @@ void MovingSolver<Real>::fail_suspects(Band& band, int row) {
 template <class Real>
 void MovingSolver<Real>::fail_point(Band& band, const Slot& slot) {
   const auto unreachable = static_cast<Real>(kernels::unreachable);
-  Real& tension = points_.value(slot, moving::tension);
-  Real& crush = points_.value(slot, moving::crush);
-  if (tension >= unreachable && crush >= unreachable) return;
+  const moving::RecordLayout& layout = points_.layout();
+  const auto reachable = [&](int field) { return field >= 0 && points_.value(slot, field) < unreachable; };
+  if (!reachable(layout.tension) && !reachable(layout.crush)) return;
   const PointOrigin origin = origin_of(scene_, points_.id(slot));
   const Phase& phase = *origin.phase;
-  const int crack_field = points_.layout().cracked;
+  const int crack_field = layout.cracked;
   const bool cracked = crack_field >= 0 && points_.value(slot, crack_field) > 0;
   const double factor = strength_factor(origin.random, phase.weibull_modulus);
   const PointState state{&phase, factor, cracked ? scene_.damage.crack_closure : CrackClosure::off};
@@ -56,12 +56,12 @@ void MovingSolver<Real>::fail_point(Band& band, const Slot& slot) {
   band.tally.released +=
       0.5 * (power(state) - kept * power(after)) * static_cast<double>(points_.value(slot, moving::volume));
   ++(mode == FailureMode::tension ? band.tally.tension_failures : band.tally.shear_failures);
-  tension = unreachable;
+  for (const int threshold : {layout.tension, layout.crush})
+    if (threshold >= 0) points_.value(slot, threshold) = unreachable;
   if (closes) {
     points_.value(slot, crack_field) = 1;
-    crush = static_cast<Real>(stored_threshold(shear_onset(phase, factor, 0), 1));
+    points_.value(slot, layout.crush) = static_cast<Real>(stored_threshold(shear_onset(phase, factor, 0), 1));
   } else {
-    crush = unreachable;
     for (const int field : {moving::sxx, moving::syy, moving::sxy, moving::lame, moving::shear})
       points_.value(slot, field) *= static_cast<Real>(kept);
     if (crack_field >= 0) points_.value(slot, crack_field) = 0;

@@ -414,15 +414,16 @@ MPM_INLINE Stress<Pack<Real>> turned_and_loaded(const Stress<Pack<Real>>& s, con
 /// Lanes in which a point may fail; the same test as that of the lattice (kernels.cpp). Not-a-number is
 /// suspect.
 template <kernels::Check check, class Real>
-MPM_INLINE Mask<Real> suspect_lanes(const Stress<Pack<Real>>& s, const Real* record) {
+MPM_INLINE Mask<Real> suspect_lanes(const Stress<Pack<Real>>& s, const TileRow<Real>& row,
+                                    const Real* record) {
   const Pack<Real> zero{};
   const Pack<Real> det = s.xx * s.yy - s.xy * s.xy;
   const Pack<Real> sum = s.xx + s.yy;
-  const Pack<Real> tension = field(record, Field::tension);
+  const Pack<Real> tension = field(record, row.layout.tension);
   const Pack<Real> reserve = tension - sum;
   Mask<Real> safe = (tension * reserve + det >= zero) & (tension + reserve >= zero);
   if constexpr (check == kernels::Check::tension_and_shear) {
-    const Pack<Real> crush = field(record, Field::crush);
+    const Pack<Real> crush = field(record, row.layout.crush);
     const Pack<Real> depth = crush + sum;
     safe &= (crush * depth + det >= zero) & (crush + depth >= zero);
   }
@@ -458,7 +459,8 @@ int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<R
       set_field<Real>(record, Field::syy, s.yy);
       set_field<Real>(record, Field::sxy, s.xy);
       if constexpr (check != kernels::Check::none)
-        suspect |= suspect_lanes<check, Real>(carried<Real, closure>(s, row, record, unilateral), record);
+        suspect |=
+            suspect_lanes<check, Real>(carried<Real, closure>(s, row, record, unilateral), row, record);
     }
     if constexpr (check != kernels::Check::none) {
       suspects[block] = any_of<Real>(suspect) ? 1 : 0;

@@ -20,24 +20,24 @@ namespace mpm::moving {
 /// Numbers that every point has, in the order of its record. A record holds as many points as a vector has
 /// lanes, field by field. An empty lane has no mass, no volume and no stiffness.
 enum Field : int {
-  xi,       ///< place in the tile, from its left edge, over the width of a cell [-], in [0, 1)
-  eta,      ///< the same, from its lower edge
-  vx,       ///< velocity [m/s]
-  vy,       ///< [m/s]
-  mass,     ///< [kg/m]
-  volume,   ///< [m^2]
-  sxx,      ///< Cauchy stress, with crack closure that of the intact material [Pa]
-  syy,      ///< [Pa]
-  sxy,      ///< [Pa]
-  lame,     ///< Lame constant, in plane stress its like [Pa]; 0 for a ghost point
-  shear,    ///< shear modulus [Pa]; 0 for a ghost point
-  tension,  ///< largest principal stress that it survives [Pa]
-  crush,    ///< least -s3 at which shear failure is possible [Pa]
+  xi,      ///< place in the tile, from its left edge, over the width of a cell [-], in [0, 1)
+  eta,     ///< the same, from its lower edge
+  vx,      ///< velocity [m/s]
+  vy,      ///< [m/s]
+  mass,    ///< [kg/m]
+  volume,  ///< [m^2]
+  sxx,     ///< Cauchy stress, with crack closure that of the intact material [Pa]
+  syy,     ///< [Pa]
+  sxy,     ///< [Pa]
+  lame,    ///< Lame constant, in plane stress its like [Pa]; 0 for a ghost point
+  shear,   ///< shear modulus [Pa]; 0 for a ghost point
   basic_fields
 };
 
 /// Numbers that only some runs need.
 struct OptionalFields {
+  bool tension = false;      ///< largest principal stress that the point survives [Pa]
+  bool crush = false;        ///< least -s3 at which shear failure is possible [Pa]
   bool cracked = false;      ///< 1 where a point failed in tension and carries compression only, else 0
   bool affine = false;       ///< velocity gradient of APIC [1/s], row by row
   bool deformation = false;  ///< deformation gradient [-], row by row
@@ -46,7 +46,7 @@ struct OptionalFields {
 /// Where they stand in a record; -1 = left out.
 struct RecordLayout {
   int fields = basic_fields;  ///< numbers of a point
-  int cracked = -1, affine = -1, deformation = -1;
+  int tension = -1, crush = -1, cracked = -1, affine = -1, deformation = -1;
 };
 
 /// Zeros in front of a row of sums, and at least as many behind it.

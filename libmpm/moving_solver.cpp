@@ -123,15 +123,17 @@ typename MovingSolver<Real>::Loose MovingSolver<Real>::loose_point(const StartPo
   v[sxy] = static_cast<Real>(point.stress.xy);
   v[lame] = static_cast<Real>(point.kept * c(0, 1));
   v[shear] = static_cast<Real>(point.kept * c(2, 2));
-  v[tension] = v[crush] = static_cast<Real>(kernels::unreachable);
-  if (phase.can_fail() && !point.ghost) {
-    const double factor = strength_factor(origin.random, phase.weibull_modulus);
-    const double threshold = point.cracked ? 0 : tension_threshold(phase, factor);
-    if (!point.cracked) v[tension] = static_cast<Real>(stored_threshold(threshold, 1));
-    v[crush] = static_cast<Real>(stored_threshold(shear_onset(phase, factor, threshold), 1));
-  }
   const RecordLayout& layout = points_.layout();
   const auto at = [&](int field) -> Real& { return v[static_cast<std::size_t>(field)]; };
+  const bool fails = phase.can_fail() && !point.ghost;
+  const double factor = fails ? strength_factor(origin.random, phase.weibull_modulus) : 1;
+  const double onset = point.cracked ? 0 : tension_threshold(phase, factor);
+  if (layout.tension >= 0)
+    at(layout.tension) =
+        static_cast<Real>(fails && !point.cracked ? stored_threshold(onset, 1) : kernels::unreachable);
+  if (layout.crush >= 0)
+    at(layout.crush) = static_cast<Real>(fails ? stored_threshold(shear_onset(phase, factor, onset), 1)
+                                               : kernels::unreachable);
   if (layout.cracked >= 0) at(layout.cracked) = point.cracked ? 1 : 0;
   if (layout.deformation >= 0) at(layout.deformation) = at(layout.deformation + 3) = 1;
   return loose;
@@ -402,10 +404,13 @@ void MovingSolver<Real>::take_maps(Result& result) {
   const float nowhere = std::numeric_limits<float>::quiet_NaN();
   result.end_x.setConstant(scene_.labels.rows(), scene_.labels.cols(), nowhere);
   result.end_y = result.end_x;
+  if (plan_.moving.optional.deformation) result.deformation.fill(result.end_x);
   for (const PointView& point : points()) {
     if (point.id >= static_cast<std::uint32_t>(scene_.labels.size())) continue;
     result.end_x.data()[point.id] = static_cast<float>(point.x);
     result.end_y.data()[point.id] = static_cast<float>(point.y);
+    for (std::size_t i = 0; i < 4 && plan_.moving.optional.deformation; ++i)
+      result.deformation[i].data()[point.id] = static_cast<float>(point.deformation[i]);
   }
 }
 

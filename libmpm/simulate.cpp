@@ -38,12 +38,11 @@ double strain_of(const Scene& scene, const Ledger& ledger) {
 }
 
 /// Kinetic energy of a specimen in flight [J/m].
-double kinetic_energy_at_start(const Scene& scene) {
-  const double vx = scene.loading.initial_velocity_x;
-  const double vy = scene.loading.initial_velocity_y;
-  double mass = 0;
-  for (const StartPoint& point : start_of(scene, plan(scene)).points) mass += point.mass;
-  return 0.5 * mass * (vx * vx + vy * vy);
+double kinetic_energy_at_start(const Scene& scene, const Plan& plan) {
+  double energy = 0;
+  for (const StartPoint& point : start_of(scene, plan).points)
+    energy += 0.5 * point.mass * (point.vx * point.vx + point.vy * point.vy);
+  return energy;
 }
 
 HistoryRow history_row(const Scene& scene, const Ledger& ledger) {
@@ -133,7 +132,7 @@ class Run {
     result_.instruction_set = chosen_kernels(scene.instruction_set).name;
     result_.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
     HistoryRow rest;
-    if (scene.loading.direction == Direction::none) rest.kinetic = kinetic_energy_at_start(scene);
+    if (scene.loading.direction == Direction::none) rest.kinetic = kinetic_energy_at_start(scene, plan);
     add_row(result_, rest);
     if (scene.loading.direction == Direction::none) result_.stop = StopReason::time;
   }
@@ -226,9 +225,12 @@ Result run(const Scene& scene, const Plan& plan, const Observer& observer) {
 }  // namespace
 
 Result simulate(const Scene& scene, const Observer& observer) {
-  const Plan decided = plan(scene);
-  return scene.precision == Precision::single ? run<float>(scene, decided, observer)
-                                              : run<double>(scene, decided, observer);
+  return simulate(scene, plan(scene), observer);
+}
+
+Result simulate(const Scene& scene, const Plan& plan, const Observer& observer) {
+  return scene.precision == Precision::single ? run<float>(scene, plan, observer)
+                                              : run<double>(scene, plan, observer);
 }
 
 }  // namespace mpm

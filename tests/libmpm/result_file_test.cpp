@@ -49,6 +49,7 @@ void expect_same(const mpm::Result& read, const mpm::Result& written) {
   expect_same(read.crush_strain, written.crush_strain);
   expect_same(read.end_x, written.end_x);
   expect_same(read.end_y, written.end_y);
+  for (std::size_t i = 0; i < 4; ++i) expect_same(read.deformation[i], written.deformation[i]);
   EXPECT_EQ(read.tension_failures, written.tension_failures);
   EXPECT_EQ(read.shear_failures, written.shear_failures);
   EXPECT_EQ(read.points, written.points);

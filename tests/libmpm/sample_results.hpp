@@ -35,6 +35,7 @@ inline mpm::Result odd_result() {
   result.end_x.setConstant(3, 2, std::numeric_limits<float>::quiet_NaN());
   result.end_x(2, 1) = 1e-3F / 3;
   result.end_y.setConstant(3, 2, 1e-2F / 7);
+  for (std::size_t i = 0; i < 4; ++i) result.deformation[i].setConstant(3, 2, static_cast<float>(i) / 3);
   result.tension_failures = 7;
   result.shear_failures = 8;
   result.points = 92628;
