@@ -43,7 +43,7 @@ struct Stage {
     step.half_size = static_cast<Real>(plan.moving.half_size);
     step.hx = step.hy = static_cast<Real>(plan.cell_size);
     step.dt = Real(1e-4);
-    step.stretch = 1;
+    step.hy_after = step.hy;
     step.flip_ratio = static_cast<Real>(method.flip_ratio);
   }
 
@@ -142,6 +142,9 @@ struct Stage {
     return {&grid.fresh_x[at], &grid.fresh_y[at], grid.stride};
   }
   [[nodiscard]] mpm::moving::NodeVectors<Real> change(int tile_row) const {
+    const auto& features = plan.moving.features;
+    if (features.transfer == mpm::moving::Return::apic && features.stencil == mpm::moving::Stencil::linear)
+      return fresh(tile_row);
     const std::size_t at = grid.at(tile_row);
     return {&grid.change_x[at], &grid.change_y[at], grid.stride};
   }
