@@ -296,7 +296,8 @@ void scatter_force(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> o
   }
 }
 
-/// B or its like for linear shapes over the variance of the weights: the gradient of the velocity [1/s].
+/// B over the variance of the weights, for linear shapes the sum of gradient by velocity: the gradient of the
+/// velocity [1/s].
 template <class Real, Stencil stencil>
 MPM_INLINE void gather_affine(const TileRow<Real>& row, Real* record, const Step<Real>& step,
                               const TileNodes<Real, nodes_of<stencil>>& nodes_x,
@@ -330,7 +331,7 @@ template <class Real, Stencil stencil, Return transfer>
 Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> change,
                      NodeVectors<Real> fresh) {
   constexpr int N = nodes_of<stencil>;
-  constexpr bool needs_change = transfer != Return::apic;
+  constexpr bool needs_change = transfer != Return::apic || stencil == Stencil::linear;
   constexpr bool needs_fresh = transfer != Return::flip;
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
@@ -353,7 +354,7 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
       const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
       const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
       Pack<Real> v_x{}, v_y{};
-      if constexpr (needs_change) {
+      if constexpr (transfer != Return::apic) {
         v_x = field<Real>(record, Field::vx) + interpolated<Real, N>(change_x, x.w, y.w);
         v_y = field<Real>(record, Field::vy) + interpolated<Real, N>(change_y, x.w, y.w);
       }
@@ -364,7 +365,10 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
       if constexpr (transfer == Return::apic) {
         v_x = interpolated<Real, N>(fresh_x, x.w, y.w);
         v_y = interpolated<Real, N>(fresh_y, x.w, y.w);
-        gather_affine<Real, stencil>(row, record, step, fresh_x, fresh_y, x, y);
+        if constexpr (stencil == Stencil::linear)
+          gather_affine<Real, stencil>(row, record, step, change_x, change_y, x, y);
+        else
+          gather_affine<Real, stencil>(row, record, step, fresh_x, fresh_y, x, y);
       }
       const Mask<Real> there = field<Real>(record, Field::mass) > Pack<Real>{};
       v_x = there ? v_x : Pack<Real>{};
@@ -477,9 +481,8 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
   const Real per_x = step.dt / step.hx;
-  const Real per_y = step.dt / (step.hy * step.stretch);
-  const Real shrink = 1 / step.stretch;
-  const Real shift = row.bottom * (shrink - 1);
+  const Real per_y = step.dt / step.hy_after;
+  const Real shrinkage = step.shrinkage;
   const Pack<Real> zero{};
   const Pack<Real> one = all<Real>(1);
   const Pack<Real> middle = all<Real>(0.5);
@@ -498,7 +501,8 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
       const auto y = weights<Real, stencil>(old_y, half_size);
       const Mask<Real> there = field<Real>(record, Field::mass) > zero;
       const Pack<Real> moved_x = old_x + per_x * interpolated<Real, N>(vx, x.w, y.w);
-      const Pack<Real> moved_y = old_y * shrink + shift + per_y * interpolated<Real, N>(vy, x.w, y.w);
+      const Pack<Real> moved_y =
+          old_y + (shrinkage * (row.bottom + old_y) + per_y * interpolated<Real, N>(vy, x.w, y.w));
       const Pack<Real> new_x = there ? moved_x : middle;
       const Pack<Real> new_y = there ? moved_y : middle;
       set_field<Real>(record, Field::xi, new_x);

@@ -85,7 +85,8 @@ struct Step {
   Real half_size;  ///< of a point, over the size of a cell [-]: 1/2 for the B-spline; unused by linear shapes
   Real hx, hy;     ///< size of a cell [m]
   Real dt;         ///< [s]
-  Real stretch;    ///< height of a cell at the end of the step over that at its beginning [-]
+  Real hy_after;   ///< height of a cell at the end of the step [m]
+  Real shrinkage;  ///< height of a cell at the beginning of the step over that at its end, less one [-]
   Real flip_ratio;  ///< [-]
   Real unilateral;  ///< 1: CrackClosure::unilateral, 0: clipped
 };
@@ -99,7 +100,9 @@ using ScatterMomentum = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<R
 /// Internal force [N/m], 2 quantities.
 template <class Real>
 using ScatterForce = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<Real>);
-/// Velocity of the points from that of the nodes at the end of the step and its change in it.
+/// Velocity of the points from that of the nodes at the end of the step and its change in it. APIC does not
+/// need the change; with linear shapes it takes the gradient from `change`, which then is a velocity that is
+/// bounded at light nodes: the gradient of a linear shape does not vanish with its weight.
 /// @return the largest square of a speed [m^2/s^2].
 template <class Real>
 using GatherVelocity = Real (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> change,

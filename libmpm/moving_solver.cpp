@@ -23,6 +23,12 @@ double lightest_point(const Scene& scene) {
   return lightest * scene.pixel_size * scene.pixel_size;
 }
 
+template <class Real>
+moving::Integrate<Real> undamped_integrate(const Scene& scene, moving::Features features) {
+  features.damping = false;
+  return chosen_moving_kernels(scene.instruction_set).template sweeps<Real>(features).integrate;
+}
+
 }  // namespace
 
 template <class Real>
@@ -30,6 +36,7 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
     : scene_(scene),
       plan_(plan),
       sweeps_(chosen_moving_kernels(scene.instruction_set).template sweeps<Real>(plan.moving.features)),
+      integrate_undamped_(undamped_integrate<Real>(scene, plan.moving.features)),
       geometry_(moving_geometry(scene, plan)),
       supports_(supports_of(scene)),
       grid_(make_moving_grid<Real>(geometry_)),
@@ -57,6 +64,8 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   // from S = cfl^2 / 4 on. Where the stress follows the new velocity of the nodes (USL), lighter nodes strain
   // the points with the velocity that they brought.
   light_mass_ = static_cast<Real>(0.25 * scene.cfl * scene.cfl * lightest);
+  slopes_from_straining_ =
+      scene.motion.transfer == Transfer::apic && scene.motion.shape == Shape::linear;
   step_.half_size = static_cast<Real>(plan.moving.half_size);
   step_.hx = static_cast<Real>(plan.cell_size);
   step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
@@ -205,7 +214,10 @@ void MovingSolver<Real>::begin_step() {
   }
   step_.hy = static_cast<Real>(height);
   step_.dt = static_cast<Real>(clock_.dt);
-  step_.stretch = static_cast<Real>(cell_height(clock_.displacement + clock_.dt * clock_.velocity) / height);
+  // What a step stretches is less than the rounding of 1 in 32 bits.
+  const double stretch = clock_.dt * clock_.velocity / geometry_.cells_y;
+  step_.hy_after = static_cast<Real>(height + stretch);
+  step_.shrinkage = static_cast<Real>(-stretch / (height + stretch));
 }
 
 /// From the fastest wave in what still carries load and the fastest point. A step may shrink at once and
@@ -284,6 +296,7 @@ void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
       [&](int row) {
         sum_momentum(row, &Grid::vx, &Grid::vy);
         integrate_momentum(row);
+        if (slopes_from_straining_) choose_straining_velocity(row);
       });
   band.fastest = 0;
   scatter_rows(
@@ -340,7 +353,10 @@ void MovingSolver<Real>::step_usf(Band& band, std::barrier<>& barrier) {
         update_stress_and_damage(band, row);
         scatter_internal_force(row);
       },
-      [&](int row) { integrate_momentum(row); });
+      [&](int row) {
+        integrate_momentum(row);
+        if (slopes_from_straining_) choose_straining_velocity(row);
+      });
   band.fastest = 0;
   for (int row = band.begin; row < band.end; ++row) {
     gather_motion(band, row);

@@ -138,6 +138,7 @@ class MovingSolver {
   const Scene& scene_;
   const Plan& plan_;
   moving::Sweeps<Real> sweeps_;
+  moving::Integrate<Real> integrate_undamped_;
   MovingGeometry geometry_;
   Supports supports_;
   MovingGrid<Real> grid_;
@@ -150,6 +151,7 @@ class MovingSolver {
   std::vector<std::int64_t> live_;      ///< points that carry load, by label
   std::vector<double> speeds_;          ///< of the compression wave, by label [m/s]
   Real least_mass_ = 0, light_mass_ = 0;
+  bool slopes_from_straining_ = false;  ///< APIC takes its gradients from the straining velocity
   int pinned_ = -1;         ///< column of the node that smooth platens hold; -1 = not chosen yet
   double first_dt_ = 0;     ///< [s]
   Real start_fastest_ = 0;  ///< largest square of a speed that the points were given [m^2/s^2]

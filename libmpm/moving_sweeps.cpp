@@ -50,7 +50,10 @@ void MovingSolver<Real>::integrate_momentum(int node_row) {
       .change_x = grid_.change_x.data() + at,
       .change_y = grid_.change_y.data() + at,
   };
-  row_damped_[static_cast<std::size_t>(node_row)] += sweeps_.integrate(in);
+  // The force at a platen is its reaction, not out of balance: damping would add to it.
+  const bool at_platen = (node_row <= geometry_.before && supports_.bottom.active) ||
+                         (node_row >= geometry_.cells_y + geometry_.before && supports_.top.active);
+  row_damped_[static_cast<std::size_t>(node_row)] += (at_platen ? integrate_undamped_ : sweeps_.integrate)(in);
   hold(node_row, &MovingGrid<Real>::fresh_x, &MovingGrid<Real>::fresh_y, true);
 }
 
@@ -145,9 +148,10 @@ template <class Real>
 void MovingSolver<Real>::gather_motion(Band& band, int row) {
   using Grid = MovingGrid<Real>;
   if (points_.is_empty(row)) return;
+  const auto change = slopes_from_straining_ ? nodes(row, &Grid::strain_x, &Grid::strain_y)
+                                             : nodes(row, &Grid::change_x, &Grid::change_y);
   const Real fastest =
-      sweeps_.gather_velocity(tiles(row), step_, nodes(row, &Grid::change_x, &Grid::change_y),
-                              nodes(row, &Grid::fresh_x, &Grid::fresh_y));
+      sweeps_.gather_velocity(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y));
   band.fastest = std::max(band.fastest, fastest);
 }
 
