@@ -137,7 +137,7 @@ Exit exit_of(const Outcome& outcome, const fs::path& folder, Console& console) {
 
 SimulateCommand::SimulateCommand(CLI::App& program)
     : Command(program, "simulate", "Break a specimen, and write what happened into a folder", footer),
-      settings_(options(), {{"phases", "loading", "damage", "solver", "output"},
+      settings_(options(), {{"phases", "loading", "damage", "solver", "motion", "handover", "output"},
                             {"specimen", "generate", "convert", "itz"},
                             {}}) {
   options().add_option("INPUT", input_, "specimen.h5, scene.toml or picture")->type_name("");
