@@ -296,7 +296,8 @@ void scatter_force(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> o
   }
 }
 
-/// B or its like for linear shapes over the variance of the weights: the gradient of the velocity [1/s].
+/// B over the variance of the weights, for linear shapes the sum of gradient by velocity: the gradient of the
+/// velocity [1/s].
 template <class Real, Stencil stencil>
 MPM_INLINE void gather_affine(const TileRow<Real>& row, Real* record, const Step<Real>& step,
                               const TileNodes<Real, nodes_of<stencil>>& nodes_x,
@@ -330,7 +331,7 @@ template <class Real, Stencil stencil, Return transfer>
 Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> change,
                      NodeVectors<Real> fresh) {
   constexpr int N = nodes_of<stencil>;
-  constexpr bool needs_change = transfer != Return::apic;
+  constexpr bool needs_change = transfer != Return::apic || stencil == Stencil::linear;
   constexpr bool needs_fresh = transfer != Return::flip;
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
@@ -353,7 +354,7 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
       const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
       const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
       Pack<Real> v_x{}, v_y{};
-      if constexpr (needs_change) {
+      if constexpr (transfer != Return::apic) {
         v_x = field<Real>(record, Field::vx) + interpolated<Real, N>(change_x, x.w, y.w);
         v_y = field<Real>(record, Field::vy) + interpolated<Real, N>(change_y, x.w, y.w);
       }
@@ -364,7 +365,10 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
       if constexpr (transfer == Return::apic) {
         v_x = interpolated<Real, N>(fresh_x, x.w, y.w);
         v_y = interpolated<Real, N>(fresh_y, x.w, y.w);
-        gather_affine<Real, stencil>(row, record, step, fresh_x, fresh_y, x, y);
+        if constexpr (stencil == Stencil::linear)
+          gather_affine<Real, stencil>(row, record, step, change_x, change_y, x, y);
+        else
+          gather_affine<Real, stencil>(row, record, step, fresh_x, fresh_y, x, y);
       }
       const Mask<Real> there = field<Real>(record, Field::mass) > Pack<Real>{};
       v_x = there ? v_x : Pack<Real>{};
@@ -414,15 +418,16 @@ MPM_INLINE Stress<Pack<Real>> turned_and_loaded(const Stress<Pack<Real>>& s, con
 /// Lanes in which a point may fail; the same test as that of the lattice (kernels.cpp). Not-a-number is
 /// suspect.
 template <kernels::Check check, class Real>
-MPM_INLINE Mask<Real> suspect_lanes(const Stress<Pack<Real>>& s, const Real* record) {
+MPM_INLINE Mask<Real> suspect_lanes(const Stress<Pack<Real>>& s, const TileRow<Real>& row,
+                                    const Real* record) {
   const Pack<Real> zero{};
   const Pack<Real> det = s.xx * s.yy - s.xy * s.xy;
   const Pack<Real> sum = s.xx + s.yy;
-  const Pack<Real> tension = field(record, Field::tension);
+  const Pack<Real> tension = field(record, row.layout.tension);
   const Pack<Real> reserve = tension - sum;
   Mask<Real> safe = (tension * reserve + det >= zero) & (tension + reserve >= zero);
   if constexpr (check == kernels::Check::tension_and_shear) {
-    const Pack<Real> crush = field(record, Field::crush);
+    const Pack<Real> crush = field(record, row.layout.crush);
     const Pack<Real> depth = crush + sum;
     safe &= (crush * depth + det >= zero) & (crush + depth >= zero);
   }
@@ -458,7 +463,8 @@ int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<R
       set_field<Real>(record, Field::syy, s.yy);
       set_field<Real>(record, Field::sxy, s.xy);
       if constexpr (check != kernels::Check::none)
-        suspect |= suspect_lanes<check, Real>(carried<Real, closure>(s, row, record, unilateral), record);
+        suspect |=
+            suspect_lanes<check, Real>(carried<Real, closure>(s, row, record, unilateral), row, record);
     }
     if constexpr (check != kernels::Check::none) {
       suspects[block] = any_of<Real>(suspect) ? 1 : 0;
@@ -475,9 +481,8 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
   const Real per_x = step.dt / step.hx;
-  const Real per_y = step.dt / (step.hy * step.stretch);
-  const Real shrink = 1 / step.stretch;
-  const Real shift = row.bottom * (shrink - 1);
+  const Real per_y = step.dt / step.hy_after;
+  const Real shrinkage = step.shrinkage;
   const Pack<Real> zero{};
   const Pack<Real> one = all<Real>(1);
   const Pack<Real> middle = all<Real>(0.5);
@@ -496,7 +501,8 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
       const auto y = weights<Real, stencil>(old_y, half_size);
       const Mask<Real> there = field<Real>(record, Field::mass) > zero;
       const Pack<Real> moved_x = old_x + per_x * interpolated<Real, N>(vx, x.w, y.w);
-      const Pack<Real> moved_y = old_y * shrink + shift + per_y * interpolated<Real, N>(vy, x.w, y.w);
+      const Pack<Real> moved_y =
+          old_y + (shrinkage * (row.bottom + old_y) + per_y * interpolated<Real, N>(vy, x.w, y.w));
       const Pack<Real> new_x = there ? moved_x : middle;
       const Pack<Real> new_y = there ? moved_y : middle;
       set_field<Real>(record, Field::xi, new_x);
@@ -533,6 +539,41 @@ void deform(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> v
       set_field<Real>(record, row.layout.deformation + 3, yy + g.yx * xy + g.yy * yy);
     }
   }
+}
+
+template <class Real>
+MPM_INLINE double sum_of(const Pack<Real>& pack) {
+  double sum = 0;
+  for (int i = 0; i < lanes<Real>; ++i) sum += static_cast<double>(pack[i]);
+  return sum;
+}
+
+/// Kinetic energy, and the elastic energy 1/2 V s : e with e of the stress that an intact point would carry.
+template <class Real, bool closure>
+Energies measure_energies(const TileRow<Real>& in, const Step<Real>& step) {
+  const TileRow<Real> row = in;
+  const Pack<Real> zero{};
+  Energies sum;
+  for (int block = 0; block < row.blocks; ++block) {
+    for (int slot = 0; slot < row.used[block]; ++slot) {
+      const Real* record = record_of(row, block, slot);
+      const Pack<Real> v_x = field(record, Field::vx);
+      const Pack<Real> v_y = field(record, Field::vy);
+      sum.kinetic += sum_of<Real>(Real(0.5) * field(record, Field::mass) * (v_x * v_x + v_y * v_y));
+      const Stress<Pack<Real>> e = stress_of<Real>(record);
+      const Stress<Pack<Real>> s = carried<Real, closure>(e, row, record, step.unilateral);
+      const Pack<Real> lame = field(record, Field::lame);
+      const Pack<Real> shear = field(record, Field::shear);
+      const Mask<Real> carries = shear > zero;
+      const Pack<Real> g = carries ? shear : all<Real>(1);
+      const Pack<Real> product = s.xx * e.xx + s.yy * e.yy + 2 * s.xy * e.xy;
+      const Pack<Real> traces = (s.xx + s.yy) * (e.xx + e.yy);
+      const Pack<Real> energy =
+          Real(0.25) * field(record, Field::volume) * (product - Real(0.5) * lame / (lame + g) * traces) / g;
+      sum.elastic += sum_of<Real>(carries ? energy : zero);
+    }
+  }
+  return sum;
 }
 
 /// Sum of quantity f of n at node i over the tiles that hold it.
@@ -601,9 +642,7 @@ double integrate(const Integration<Real>& in) {
     if constexpr (damped)
       taken -= drag_x * (v_x + Real(0.5) * change_x) + drag_y * (v_y + Real(0.5) * change_y);
   }
-  double sum = 0;
-  for (int i = 0; i < lanes<Real>; ++i) sum += static_cast<double>(taken[i]);
-  return sum * static_cast<double>(nodes.dt);
+  return sum_of<Real>(taken) * static_cast<double>(nodes.dt);
 }
 
 template <class Real, Stencil stencil>
@@ -644,6 +683,7 @@ Sweeps<Real> sweeps_of(const Features& f) {
           update_stress_for<Real, stencil>(f),
           move_points<Real, stencil>,
           deform<Real, stencil>,
+          f.crack_closure ? measure_energies<Real, true> : measure_energies<Real, false>,
           sum_momentum<Real, stencil>,
           f.damping ? integrate<Real, stencil, true> : integrate<Real, stencil, false>};
 }

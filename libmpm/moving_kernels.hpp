@@ -20,24 +20,24 @@ namespace mpm::moving {
 /// Numbers that every point has, in the order of its record. A record holds as many points as a vector has
 /// lanes, field by field. An empty lane has no mass, no volume and no stiffness.
 enum Field : int {
-  xi,       ///< place in the tile, from its left edge, over the width of a cell [-], in [0, 1)
-  eta,      ///< the same, from its lower edge
-  vx,       ///< velocity [m/s]
-  vy,       ///< [m/s]
-  mass,     ///< [kg/m]
-  volume,   ///< [m^2]
-  sxx,      ///< Cauchy stress, with crack closure that of the intact material [Pa]
-  syy,      ///< [Pa]
-  sxy,      ///< [Pa]
-  lame,     ///< Lame constant, in plane stress its like [Pa]; 0 for a ghost point
-  shear,    ///< shear modulus [Pa]; 0 for a ghost point
-  tension,  ///< largest principal stress that it survives [Pa]
-  crush,    ///< least -s3 at which shear failure is possible [Pa]
+  xi,      ///< place in the tile, from its left edge, over the width of a cell [-], in [0, 1)
+  eta,     ///< the same, from its lower edge
+  vx,      ///< velocity [m/s]
+  vy,      ///< [m/s]
+  mass,    ///< [kg/m]
+  volume,  ///< [m^2]
+  sxx,     ///< Cauchy stress, with crack closure that of the intact material [Pa]
+  syy,     ///< [Pa]
+  sxy,     ///< [Pa]
+  lame,    ///< Lame constant, in plane stress its like [Pa]; 0 for a ghost point
+  shear,   ///< shear modulus [Pa]; 0 for a ghost point
   basic_fields
 };
 
 /// Numbers that only some runs need.
 struct OptionalFields {
+  bool tension = false;      ///< largest principal stress that the point survives [Pa]
+  bool crush = false;        ///< least -s3 at which shear failure is possible [Pa]
   bool cracked = false;      ///< 1 where a point failed in tension and carries compression only, else 0
   bool affine = false;       ///< velocity gradient of APIC [1/s], row by row
   bool deformation = false;  ///< deformation gradient [-], row by row
@@ -46,7 +46,7 @@ struct OptionalFields {
 /// Where they stand in a record; -1 = left out.
 struct RecordLayout {
   int fields = basic_fields;  ///< numbers of a point
-  int cracked = -1, affine = -1, deformation = -1;
+  int tension = -1, crush = -1, cracked = -1, affine = -1, deformation = -1;
 };
 
 /// Zeros in front of a row of sums, and at least as many behind it.
@@ -85,7 +85,8 @@ struct Step {
   Real half_size;  ///< of a point, over the size of a cell [-]: 1/2 for the B-spline; unused by linear shapes
   Real hx, hy;     ///< size of a cell [m]
   Real dt;         ///< [s]
-  Real stretch;    ///< height of a cell at the end of the step over that at its beginning [-]
+  Real hy_after;   ///< height of a cell at the end of the step [m]
+  Real shrinkage;  ///< height of a cell at the beginning of the step over that at its end, less one [-]
   Real flip_ratio;  ///< [-]
   Real unilateral;  ///< 1: CrackClosure::unilateral, 0: clipped
 };
@@ -99,7 +100,9 @@ using ScatterMomentum = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<R
 /// Internal force [N/m], 2 quantities.
 template <class Real>
 using ScatterForce = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<Real>);
-/// Velocity of the points from that of the nodes at the end of the step and its change in it.
+/// Velocity of the points from that of the nodes at the end of the step and its change in it. APIC does not
+/// need the change; with linear shapes it takes the gradient from `change`, which then is a velocity that is
+/// bounded at light nodes: the gradient of a linear shape does not vanish with its weight.
 /// @return the largest square of a speed [m^2/s^2].
 template <class Real>
 using GatherVelocity = Real (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> change,
@@ -117,6 +120,13 @@ using MovePoints = int (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<
 /// Deformation gradient F from the gradient of the nodal velocity.
 template <class Real>
 using Deform = void (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> velocity);
+
+/// Energies of the points of a row of tiles [J/m].
+struct Energies {
+  double kinetic = 0, elastic = 0;
+};
+template <class Real>
+using MeasureEnergies = Energies (*)(const TileRow<Real>&, const Step<Real>&);
 
 /// Sums of up to three rows of tiles that meet in a row of nodes: `tiles[b]` is the row of which it is row b.
 template <class Real>
@@ -162,6 +172,7 @@ struct Sweeps {
   UpdateStress<Real> update_stress;
   MovePoints<Real> move_points;
   Deform<Real> deform;
+  MeasureEnergies<Real> measure_energies;
   SumMomentum<Real> sum_momentum;
   Integrate<Real> integrate;
 };

@@ -85,7 +85,8 @@ class MovingSolver {
     bool stopped = false;     ///< nothing is to be done any more
   };
 
-  void make_bands();
+  [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, const MovingGeometry& geometry);
+  [[nodiscard]] std::vector<int> band_ends() const;
   void load_points(const std::vector<StartPoint>& points);
   [[nodiscard]] Loose loose_point(const StartPoint& point) const;
   [[nodiscard]] TilePlace place_of(double x, double y, Real& xi, Real& eta) const;
@@ -128,27 +129,29 @@ class MovingSolver {
   }
   [[nodiscard]] PointView view(const Slot& slot) const;
   [[nodiscard]] double cell_height(double displacement) const;
-  [[nodiscard]] Ledger balance() const;
-  [[nodiscard]] double elastic_energy(const Real* values, std::ptrdiff_t stride) const;
+  [[nodiscard]] Ledger balance();
   [[nodiscard]] std::string name_of(std::uint32_t id) const;
+  [[nodiscard]] double energy_of(const Loose& point) const;
   void leave(const Loose& point);
   void stop(std::string what);
 
   const Scene& scene_;
   const Plan& plan_;
   moving::Sweeps<Real> sweeps_;
+  moving::Integrate<Real> integrate_undamped_;
   MovingGeometry geometry_;
   Supports supports_;
   MovingGrid<Real> grid_;
+  std::vector<Band> bands_;
   TileSums<Real> momentum_, force_;
   MovingPoints<Real> points_;
   moving::Step<Real> step_{};
-  std::vector<Band> bands_;
   std::vector<Impulses> row_impulses_;  ///< by row of nodes, in this step
   std::vector<double> row_damped_;      ///< by row of nodes, in all [J/m]
   std::vector<std::int64_t> live_;      ///< points that carry load, by label
   std::vector<double> speeds_;          ///< of the compression wave, by label [m/s]
   Real least_mass_ = 0, light_mass_ = 0;
+  bool slopes_from_straining_ = false;  ///< APIC takes its gradients from the straining velocity
   int pinned_ = -1;         ///< column of the node that smooth platens hold; -1 = not chosen yet
   double first_dt_ = 0;     ///< [s]
   Real start_fastest_ = 0;  ///< largest square of a speed that the points were given [m^2/s^2]

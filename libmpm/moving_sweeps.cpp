@@ -50,7 +50,10 @@ void MovingSolver<Real>::integrate_momentum(int node_row) {
       .change_x = grid_.change_x.data() + at,
       .change_y = grid_.change_y.data() + at,
   };
-  row_damped_[static_cast<std::size_t>(node_row)] += sweeps_.integrate(in);
+  // The force at a platen is its reaction, not out of balance: damping would add to it.
+  const bool at_platen = (node_row <= geometry_.before && supports_.bottom.active) ||
+                         (node_row >= geometry_.cells_y + geometry_.before && supports_.top.active);
+  row_damped_[static_cast<std::size_t>(node_row)] += (at_platen ? integrate_undamped_ : sweeps_.integrate)(in);
   hold(node_row, &MovingGrid<Real>::fresh_x, &MovingGrid<Real>::fresh_y, true);
 }
 
@@ -145,9 +148,10 @@ template <class Real>
 void MovingSolver<Real>::gather_motion(Band& band, int row) {
   using Grid = MovingGrid<Real>;
   if (points_.is_empty(row)) return;
+  const auto change = slopes_from_straining_ ? nodes(row, &Grid::strain_x, &Grid::strain_y)
+                                             : nodes(row, &Grid::change_x, &Grid::change_y);
   const Real fastest =
-      sweeps_.gather_velocity(tiles(row), step_, nodes(row, &Grid::change_x, &Grid::change_y),
-                              nodes(row, &Grid::fresh_x, &Grid::fresh_y));
+      sweeps_.gather_velocity(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y));
   band.fastest = std::max(band.fastest, fastest);
 }
 
@@ -239,12 +243,20 @@ void MovingSolver<Real>::leave(const Loose& point) {
                                : std::string()));
     return;
   }
-  const auto& v = point.values;
   ++left_;
-  left_energy_ += 0.5 * static_cast<double>(v[moving::mass]) *
-                  static_cast<double>(v[moving::vx] * v[moving::vx] + v[moving::vy] * v[moving::vy]);
-  left_energy_ += elastic_energy(point.values.data(), 1);
-  if (v[moving::shear] > 0) --live_[origin_of(scene_, point.id).label];
+  left_energy_ += energy_of(point);
+  if (point.values[moving::shear] > 0) --live_[origin_of(scene_, point.id).label];
+}
+
+/// Kinetic and elastic energy of a point outside of the storage [J/m].
+template <class Real>
+double MovingSolver<Real>::energy_of(const Loose& point) const {
+  MovingPoints<Real> alone(1, 1, sweeps_.lanes, points_.layout());
+  Loose copy = point;
+  copy.tile = {0, 0};
+  alone.insert(copy);
+  const moving::Energies energies = sweeps_.measure_energies(alone.tile_row(0, 0), step_);
+  return energies.kinetic + energies.elastic;
 }
 
 template class MovingSolver<float>;
