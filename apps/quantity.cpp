@@ -15,6 +15,7 @@
 #include "apps/complaint.hpp"
 #include "apps/number_text.hpp"
 #include "apps/suggestion.hpp"
+#include "apps/text_parts.hpp"
 
 namespace app {
 namespace {
@@ -80,12 +81,6 @@ const Unit* find_unit(std::string_view name, Dimension dimension) {
 
 bool known_anywhere(std::string_view name) {
   return std::any_of(units.begin(), units.end(), [&](const Unit& unit) { return unit.name == name; });
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -8,8 +8,7 @@ namespace app {
 namespace {
 
 /// The member of a settings object, const or not.
-#define MEMBER(path) \
-  [](auto& object) -> auto& { return object.path; }
+#define MEMBER(path) ([](auto& object) -> auto& { return object.path; })
 
 template <class Codec, class Access>
 Field field(const char* key, Codec codec, const char* help, Access access) {

@@ -37,14 +37,16 @@ MPM_INLINE Real between(const Real (&edge)[2]) {
 /// sx + sy, both principal stresses lie below T exactly when T^2 - T sum + det >= 0 and 2 T - sum >= 0.
 /// Not-a-number is suspect.
 template <Check check, class Real>
-MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, Real tension, Real crush) {
+MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, const float* tensions, const float* crushes) {
   using F = Flag<Real>;
   if constexpr (check == Check::none) return 0;
+  const Real tension = Real(*tensions);
   const Real det = s.xx * s.yy - s.xy * s.xy;
   const Real sum = s.xx + s.yy;
   const Real reserve = tension - sum;
   F suspect = (tension * reserve + det >= 0 ? F(0) : F(1)) | (tension + reserve >= 0 ? F(0) : F(1));
   if constexpr (check == Check::tension_and_shear) {
+    const Real crush = Real(*crushes);
     const Real depth = crush + sum;
     suspect |= (crush * depth + det >= 0 ? F(0) : F(1)) | (crush + depth >= 0 ? F(0) : F(1));
   }
@@ -89,7 +91,7 @@ MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real
     const bool cracked = row.cracked[at] > 0;
     s = {cracked ? c.xx : s.xx, cracked ? c.yy : s.yy, cracked ? c.xy : s.xy};
   }
-  const Flag<Real> suspect = is_suspect<check>(s, Real(row.tension[at]), Real(row.crush[at]));
+  const Flag<Real> suspect = is_suspect<check>(s, row.tension + at, row.crush + at);
 
   const Real weight = one_poisson ? row.stiffness[at] : Real(1);
   sums.xx[b] += weight * s.xx;
@@ -223,6 +225,7 @@ SweepCells<Real> cells_by_check(const Features& f) {
 template <class Real, int K>
 SweepCells<Real> general_cells(const Features& f) {
   if (f.crack_closure) return sweep_cells<Real, K, false, Check::tension_and_shear, true>;
+  if (f.check == Check::none) return sweep_cells<Real, K, false, Check::none, false>;
   return sweep_cells<Real, K, false, Check::tension_and_shear, false>;
 }
 

@@ -45,8 +45,8 @@ struct CellRow {
   const double *ux_lower, *uy_lower, *ux_upper, *uy_upper;  ///< displacements of the two rows of nodes [m]
   const Real* stiffness;  ///< E (one Poisson ratio) or the Lame constant; times the volume share [Pa]
   const Real* shear;      ///< shear modulus times the volume share [Pa]; unused with one Poisson ratio
-  const float* tension;   ///< tensile threshold, scaled as the stress of this kernel
-  const float* crush;     ///< least -s3 at which shear failure is possible, scaled as the stress
+  const float* tension;   ///< tensile threshold, scaled as the stress of this kernel; unused without a check
+  const float* crush;     ///< least -s3 at which shear failure is possible, alike; for the check of both only
   const float* cracked;   ///< 1 where a point failed in tension and carries compression only, else 0
   Real unilateral;        ///< 1: CrackClosure::unilateral, 0: clipped
   Real unit_axial, unit_lateral, unit_shear;  ///< stiffness of a phase with E = 1 [-]

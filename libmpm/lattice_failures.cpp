@@ -49,13 +49,18 @@ bool LatticeSolver<Real>::fail_suspects(Band& band, int row, double strain) {
 template <class Real>
 bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, double strain) {
   const std::size_t at = points_.at(row, plane, cell);
-  if (points_.tension[at] >= kernels::unreachable && points_.crush[at] >= kernels::unreachable) return false;
+  const auto reachable = [&](const AlignedVector<float>& thresholds) {
+    return !thresholds.empty() && thresholds[at] < kernels::unreachable;
+  };
+  if (!reachable(points_.tension) && !reachable(points_.crush)) return false;
   const int k = scene_.points_per_cell;
-  const auto pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
-  const int pixel_col = cell * k + plane % k;
+  const int column_in_cell = plane % k;
+  const int row_in_cell = plane / k;
+  const auto pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + row_in_cell);
+  const int pixel_col = cell * k + column_in_cell;
   const Phase& phase = *scene_.phases[scene_.labels(pixel_row, pixel_col)];
-  const StepStress elastic =
-      stress_at(stiffness(phase, scene_.plane), row, cell, (plane % k + 0.5) / k, (plane / k + 0.5) / k);
+  const StepStress elastic = stress_at(stiffness(phase, scene_.plane), row, cell, (column_in_cell + 0.5) / k,
+                                       (row_in_cell + 0.5) / k);
   const bool cracked = plan_.features.crack_closure && points_.cracked[at] > 0;
   const double factor =
       strength_factor(pixel_random(scene_.damage.seed, pixel_row, pixel_col), phase.weibull_modulus);
@@ -71,7 +76,7 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
     points_.cracked[at] = 1;
     points_.crush[at] = stored_threshold(shear_onset(phase, factor, 0), threshold_scale(plan_, phase, share));
   } else {
-    points_.crush[at] = kernels::unreachable;
+    if (!points_.crush.empty()) points_.crush[at] = kernels::unreachable;
     const auto kept = static_cast<Real>(scene_.damage.residual_stiffness);
     points_.stiffness[at] *= kept;
     if (!points_.shear.empty()) points_.shear[at] *= kept;

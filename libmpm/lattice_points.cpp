@@ -35,8 +35,8 @@ void set_point(LatticePoints<Real>& points, std::size_t at, const Scene& scene, 
   const double factor = strength_factor(random, phase.weibull_modulus);
   const double scale = threshold_scale(plan, phase, share);
   const double tension = tension_threshold(phase, factor);
-  points.tension[at] = stored_threshold(tension, scale);
-  points.crush[at] = stored_threshold(shear_onset(phase, factor, tension), scale);
+  if (!points.tension.empty()) points.tension[at] = stored_threshold(tension, scale);
+  if (!points.crush.empty()) points.crush[at] = stored_threshold(shear_onset(phase, factor, tension), scale);
 }
 
 }  // namespace
@@ -50,8 +50,9 @@ LatticePoints<Real> make_points(const Scene& scene, const Plan& plan) {
   const auto size = static_cast<std::size_t>(plan.cells_y * points.planes * points.stride);
   points.stiffness.assign(size, Real(0));
   if (!plan.features.one_poisson_ratio) points.shear.assign(size, Real(0));
-  points.tension.assign(size, kernels::unreachable);
-  points.crush.assign(size, kernels::unreachable);
+  if (plan.features.check != kernels::Check::none) points.tension.assign(size, kernels::unreachable);
+  if (plan.features.check == kernels::Check::tension_and_shear)
+    points.crush.assign(size, kernels::unreachable);
   if (plan.features.crack_closure) points.cracked.assign(size, 0.0F);
 
   const auto count = points_per_pixel(scene);

@@ -16,10 +16,10 @@ namespace mpm {
 /// that measure.
 template <class Real>
 struct LatticePoints {
-  int planes = 0;             ///< K K
-  std::ptrdiff_t stride = 0;  ///< between planes: padded cells_x
-  AlignedVector<Real> stiffness, shear;
-  AlignedVector<float> tension, crush, cracked;
+  int planes = 0;                                ///< K K
+  std::ptrdiff_t stride = 0;                     ///< between planes: padded cells_x
+  AlignedVector<Real> stiffness, shear;          ///< shear: empty with one Poisson ratio
+  AlignedVector<float> tension, crush, cracked;  ///< empty where the plan has no use for them
 
   [[nodiscard]] std::ptrdiff_t row(int cell_row) const { return cell_row * planes * stride; }
   [[nodiscard]] std::size_t at(int cell_row, int plane, int cell) const {

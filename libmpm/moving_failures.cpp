@@ -33,12 +33,12 @@ void MovingSolver<Real>::fail_suspects(Band& band, int row) {
 template <class Real>
 void MovingSolver<Real>::fail_point(Band& band, const Slot& slot) {
   const auto unreachable = static_cast<Real>(kernels::unreachable);
-  Real& tension = points_.value(slot, moving::tension);
-  Real& crush = points_.value(slot, moving::crush);
-  if (tension >= unreachable && crush >= unreachable) return;
+  const moving::RecordLayout& layout = points_.layout();
+  const auto reachable = [&](int field) { return field >= 0 && points_.value(slot, field) < unreachable; };
+  if (!reachable(layout.tension) && !reachable(layout.crush)) return;
   const PointOrigin origin = origin_of(scene_, points_.id(slot));
   const Phase& phase = *origin.phase;
-  const int crack_field = points_.layout().cracked;
+  const int crack_field = layout.cracked;
   const bool cracked = crack_field >= 0 && points_.value(slot, crack_field) > 0;
   const double factor = strength_factor(origin.random, phase.weibull_modulus);
   const PointState state{&phase, factor, cracked ? scene_.damage.crack_closure : CrackClosure::off};
@@ -56,12 +56,12 @@ void MovingSolver<Real>::fail_point(Band& band, const Slot& slot) {
   band.tally.released +=
       0.5 * (power(state) - kept * power(after)) * static_cast<double>(points_.value(slot, moving::volume));
   ++(mode == FailureMode::tension ? band.tally.tension_failures : band.tally.shear_failures);
-  tension = unreachable;
+  for (const int threshold : {layout.tension, layout.crush})
+    if (threshold >= 0) points_.value(slot, threshold) = unreachable;
   if (closes) {
     points_.value(slot, crack_field) = 1;
-    crush = static_cast<Real>(stored_threshold(shear_onset(phase, factor, 0), 1));
+    points_.value(slot, layout.crush) = static_cast<Real>(stored_threshold(shear_onset(phase, factor, 0), 1));
   } else {
-    crush = unreachable;
     for (const int field : {moving::sxx, moving::syy, moving::sxy, moving::lame, moving::shear})
       points_.value(slot, field) *= static_cast<Real>(kept);
     if (crack_field >= 0) points_.value(slot, crack_field) = 0;
@@ -85,25 +85,8 @@ void MovingSolver<Real>::record_failure(const PointOrigin& origin, bool cracked,
   }
 }
 
-/// Elastic energy of a point [J/m]. `values`: its fields, `stride` apart.
 template <class Real>
-double MovingSolver<Real>::elastic_energy(const Real* values, std::ptrdiff_t stride) const {
-  const auto value = [&](int field) { return static_cast<double>(values[field * stride]); };
-  const double lame = value(moving::lame);
-  const double shear = value(moving::shear);
-  if (!(shear > 0)) return 0;
-  const Stress<double> elastic{value(moving::sxx), value(moving::syy), value(moving::sxy)};
-  Stress<double> s = elastic;
-  const int cracked = points_.layout().cracked;
-  if (cracked >= 0 && value(cracked) > 0)
-    s = without_tension(elastic, static_cast<double>(step_.unilateral) * lame / (lame + 2 * shear));
-  const double product = s.xx * elastic.xx + s.yy * elastic.yy + 2 * s.xy * elastic.xy;
-  const double traces = (s.xx + s.yy) * (elastic.xx + elastic.yy);
-  return 0.5 * value(moving::volume) * (product - 0.5 * lame / (lame + shear) * traces) / (2 * shear);
-}
-
-template <class Real>
-Ledger MovingSolver<Real>::balance() const {
+Ledger MovingSolver<Real>::balance() {
   Ledger ledger;
   ledger.time = reported_time_;
   ledger.platen_displacement = std::abs(reported_displacement_);
@@ -118,13 +101,9 @@ Ledger MovingSolver<Real>::balance() const {
   ledger.tension_failures = sums_.tension_failures;
   ledger.shear_failures = sums_.shear_failures;
   for (int row = 0; row < points_.rows(); ++row) {
-    points_.for_each(row, [&](const Slot& slot) {
-      const Real* values = &points_.value(slot, 0);
-      const auto value = [&](int field) { return static_cast<double>(points_.value(slot, field)); };
-      ledger.kinetic += 0.5 * value(moving::mass) *
-                        (value(moving::vx) * value(moving::vx) + value(moving::vy) * value(moving::vy));
-      ledger.elastic += elastic_energy(values, points_.lanes());
-    });
+    const moving::Energies energies = sweeps_.measure_energies(tiles(row), step_);
+    ledger.kinetic += energies.kinetic;
+    ledger.elastic += energies.elastic;
   }
   if (!std::isfinite(ledger.kinetic + ledger.elastic + force_top_ + force_bottom_))
     ledger.diverged_at = clock_.step;

@@ -36,26 +36,60 @@ MovingGrid<Real> make_moving_grid(const MovingGeometry& geometry) {
   return grid;
 }
 
+namespace {
+
+/// Places of the rows of tiles. A row of nodes needs `reach` rows at once; the first and the last reach - 1
+/// rows of a band are needed again for the nodes that it shares.
+std::vector<std::size_t> places_in_turn(const std::vector<int>& band_ends, int reach) {
+  std::vector<std::size_t> places;
+  std::size_t next = 0;
+  int begin = 0;
+  for (const int end : band_ends) {
+    const std::size_t turn = next;
+    const int kept = reach - 1;
+    if (end - begin > 2 * kept + reach) next += static_cast<std::size_t>(reach);
+    for (int row = begin; row < end; ++row) {
+      const bool in_turn = end - begin > 2 * kept + reach && row >= begin + kept && row < end - kept;
+      places.push_back(in_turn ? turn + static_cast<std::size_t>(row % reach) : next++);
+    }
+    begin = end;
+  }
+  return places;
+}
+
+/// An odd number of cache lines, so that the planes of a row do not all fall on the same sets of the cache.
 template <class Real>
-TileSums<Real>::TileSums(const MovingGeometry& geometry, int quantities)
+std::ptrdiff_t plane_length(int tiles) {
+  constexpr std::ptrdiff_t line = 64 / sizeof(Real);
+  const std::ptrdiff_t lines = (padded(tiles) + 3 * moving::padding + line - 1) / line;
+  return (lines | 1) * line;
+}
+
+}  // namespace
+
+template <class Real>
+TileSums<Real>::TileSums(const MovingGeometry& geometry, int quantities, const std::vector<int>& band_ends)
     : tiles_y_(geometry.tiles_y),
       reach_(geometry.reach),
       nodes_(padded(geometry.nodes_x)),
-      length_(padded(geometry.tiles_x) + 3 * moving::padding),
-      row_size_(reach_ * reach_ * quantities * length_),
-      values_(static_cast<std::size_t>(tiles_y_ * row_size_), Real(0)),
-      is_zero_(static_cast<std::size_t>(tiles_y_), std::uint8_t{1}),
-      zeros_(static_cast<std::size_t>(row_size_), Real(0)) {}
+      length_(plane_length<Real>(geometry.tiles_x)),
+      row_size_(static_cast<std::size_t>(reach_ * reach_ * quantities * length_)),
+      places_(places_in_turn(band_ends, reach_)) {
+  const std::size_t count = *std::max_element(places_.begin(), places_.end()) + 1;
+  values_.assign(count * row_size_, Real(0));
+  is_zero_.assign(count, 1);
+  zeros_.assign(row_size_, Real(0));
+}
 
 template <class Real>
 const Real* TileSums<Real>::row(int tile_row) const {
   const bool inside = tile_row >= 0 && tile_row < tiles_y_;
-  return (inside ? values_.data() + tile_row * row_size_ : zeros_.data()) + moving::padding;
+  return (inside ? values_.data() + place(tile_row) * row_size_ : zeros_.data()) + moving::padding;
 }
 
 template <class Real>
 moving::Sums<Real> TileSums<Real>::sums(int tile_row) {
-  return {values_.data() + tile_row * row_size_ + moving::padding, length_};
+  return {values_.data() + place(tile_row) * row_size_ + moving::padding, length_};
 }
 
 template <class Real>
@@ -65,9 +99,9 @@ moving::NodeRow<Real> TileSums<Real>::node_row(int node_row) const {
 
 template <class Real>
 void TileSums<Real>::clear(int tile_row) {
-  std::uint8_t& is_zero = is_zero_[static_cast<std::size_t>(tile_row)];
+  std::uint8_t& is_zero = is_zero_[place(tile_row)];
   if (is_zero != 0) return;
-  std::fill_n(values_.begin() + tile_row * row_size_, row_size_, Real(0));
+  std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(place(tile_row) * row_size_), row_size_, Real(0));
   is_zero = 1;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "libmpm/aligned.hpp"
 #include "libmpm/moving_kernels.hpp"
@@ -43,28 +45,33 @@ struct MovingGrid {
 template <class Real>
 [[nodiscard]] MovingGrid<Real> make_moving_grid(const MovingGeometry& geometry);
 
-/// Sums of all rows of tiles for their nodes: `quantities` planes for each node of a tile, with zeros round
-/// them.
+/// Sums of the rows of tiles for their nodes: `quantities` planes for each node of a tile, with zeros round
+/// them. Within a band of rows, which one thread sweeps upwards, a row gives way to the next one that needs
+/// its place once its nodes are done, so that sums stay in the cache; those at the ends of a band are kept.
 template <class Real>
 class TileSums {
  public:
-  TileSums() = default;
-  TileSums(const MovingGeometry& geometry, int quantities);
+  /// @param band_ends  rows of tiles at which the bands end, rising.
+  TileSums(const MovingGeometry& geometry, int quantities, const std::vector<int>& band_ends);
 
   [[nodiscard]] moving::Sums<Real> sums(int tile_row);
   /// The sums that meet in a row of nodes.
   [[nodiscard]] moving::NodeRow<Real> node_row(int row) const;
-  /// Sums of a row without points; done once as long as no points come in.
+  /// Sums of a row without points.
   void clear(int tile_row);
-  void mark_filled(int tile_row) { is_zero_[static_cast<std::size_t>(tile_row)] = 0; }
+  /// Sums of a row with points are about to be written.
+  void mark_filled(int tile_row) { is_zero_[place(tile_row)] = 0; }
 
  private:
+  [[nodiscard]] std::size_t place(int tile_row) const { return places_[static_cast<std::size_t>(tile_row)]; }
   [[nodiscard]] const Real* row(int tile_row) const;
 
   int tiles_y_ = 0, reach_ = 0, nodes_ = 0;
-  std::ptrdiff_t length_ = 0, row_size_ = 0;
+  std::ptrdiff_t length_ = 0;
+  std::size_t row_size_ = 0;
+  std::vector<std::size_t> places_;  ///< of the rows of tiles, in units of row_size_
   AlignedVector<Real> values_;
-  std::vector<std::uint8_t> is_zero_;
+  std::vector<std::uint8_t> is_zero_;  ///< by place
   AlignedVector<Real> zeros_;
 };
 

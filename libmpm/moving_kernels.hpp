@@ -20,24 +20,24 @@ namespace mpm::moving {
 /// Numbers that every point has, in the order of its record. A record holds as many points as a vector has
 /// lanes, field by field. An empty lane has no mass, no volume and no stiffness.
 enum Field : int {
-  xi,       ///< place in the tile, from its left edge, over the width of a cell [-], in [0, 1)
-  eta,      ///< the same, from its lower edge
-  vx,       ///< velocity [m/s]
-  vy,       ///< [m/s]
-  mass,     ///< [kg/m]
-  volume,   ///< [m^2]
-  sxx,      ///< Cauchy stress, with crack closure that of the intact material [Pa]
-  syy,      ///< [Pa]
-  sxy,      ///< [Pa]
-  lame,     ///< Lame constant, in plane stress its like [Pa]; 0 for a ghost point
-  shear,    ///< shear modulus [Pa]; 0 for a ghost point
-  tension,  ///< largest principal stress that it survives [Pa]
-  crush,    ///< least -s3 at which shear failure is possible [Pa]
+  xi,      ///< place in the tile, from its left edge, over the width of a cell [-], in [0, 1)
+  eta,     ///< the same, from its lower edge
+  vx,      ///< velocity [m/s]
+  vy,      ///< [m/s]
+  mass,    ///< [kg/m]
+  volume,  ///< [m^2]
+  sxx,     ///< Cauchy stress, with crack closure that of the intact material [Pa]
+  syy,     ///< [Pa]
+  sxy,     ///< [Pa]
+  lame,    ///< Lame constant, in plane stress its like [Pa]; 0 for a ghost point
+  shear,   ///< shear modulus [Pa]; 0 for a ghost point
   basic_fields
 };
 
 /// Numbers that only some runs need.
 struct OptionalFields {
+  bool tension = false;      ///< largest principal stress that the point survives [Pa]
+  bool crush = false;        ///< least -s3 at which shear failure is possible [Pa]
   bool cracked = false;      ///< 1 where a point failed in tension and carries compression only, else 0
   bool affine = false;       ///< velocity gradient of APIC [1/s], row by row
   bool deformation = false;  ///< deformation gradient [-], row by row
@@ -46,11 +46,20 @@ struct OptionalFields {
 /// Where they stand in a record; -1 = left out.
 struct RecordLayout {
   int fields = basic_fields;  ///< numbers of a point
-  int cracked = -1, affine = -1, deformation = -1;
+  int tension = -1, crush = -1, cracked = -1, affine = -1, deformation = -1;
 };
 
 /// Zeros in front of a row of sums, and at least as many behind it.
 inline constexpr int padding = 16;
+
+/// Where a support stands on the middle nodes of the outermost tiles of quadratic shapes. The nodes beyond it
+/// move as a straight line through that node and the next one inside says, so that the points see no others:
+/// linear shapes within half a cell of the support, complete and without a jump to the next tile.
+/// Source: Steffen, Wallstedt, Guilkey, Kirby, Berzins (2008), on B-splines at boundaries.
+struct Folds {
+  int left = -1, right = -1;          ///< columns of tiles; -1 = no support
+  bool lower = false, upper = false;  ///< whether this is such a row
+};
 
 /// The points of a row of tiles: `lanes` tiles are a block, and its points lie in `used` records from `begin`
 /// on.
@@ -62,6 +71,7 @@ struct TileRow {
   int blocks;
   RecordLayout layout;
   Real bottom;  ///< lower edge of the tiles over the height of a cell [-]
+  Folds folds = {};
 };
 
 /// The nodes that a row of tiles touches: the first of them, left below.
@@ -121,6 +131,13 @@ using MovePoints = int (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<
 template <class Real>
 using Deform = void (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> velocity);
 
+/// Energies of the points of a row of tiles [J/m].
+struct Energies {
+  double kinetic = 0, elastic = 0;
+};
+template <class Real>
+using MeasureEnergies = Energies (*)(const TileRow<Real>&, const Step<Real>&);
+
 /// Sums of up to three rows of tiles that meet in a row of nodes: `tiles[b]` is the row of which it is row b.
 template <class Real>
 struct NodeRow {
@@ -165,6 +182,7 @@ struct Sweeps {
   UpdateStress<Real> update_stress;
   MovePoints<Real> move_points;
   Deform<Real> deform;
+  MeasureEnergies<Real> measure_energies;
   SumMomentum<Real> sum_momentum;
   Integrate<Real> integrate;
 };

@@ -11,6 +11,8 @@ moving::RecordLayout record_layout(const moving::OptionalFields& optional) {
     first = layout.fields;
     layout.fields += count;
   };
+  add(optional.tension, layout.tension, 1);
+  add(optional.crush, layout.crush, 1);
   add(optional.cracked, layout.cracked, 1);
   add(optional.affine, layout.affine, 4);
   add(optional.deformation, layout.deformation, 4);
@@ -53,7 +55,8 @@ template <class Real>
 void MovingPoints<Real>::clear_lane(const Slot& slot) {
   for (int field = 0; field < layout_.fields; ++field) value(slot, field) = 0;
   value(slot, moving::xi) = value(slot, moving::eta) = Real(0.5);
-  value(slot, moving::tension) = value(slot, moving::crush) = static_cast<Real>(kernels::unreachable);
+  for (const int threshold : {layout_.tension, layout_.crush})
+    if (threshold >= 0) value(slot, threshold) = static_cast<Real>(kernels::unreachable);
 }
 
 /// Every block gets room for one record more than it has, and every third of what it has.

@@ -40,9 +40,11 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
       geometry_(moving_geometry(scene, plan)),
       supports_(supports_of(scene)),
       grid_(make_moving_grid<Real>(geometry_)),
-      momentum_(geometry_, 3),
-      force_(geometry_, 2),
+      bands_(make_bands(scene, geometry_)),
+      momentum_(geometry_, 3, band_ends()),
+      force_(geometry_, 2, band_ends()),
       points_(geometry_.tiles_y, geometry_.tiles_x, sweeps_.lanes, record_layout(plan.moving.optional)),
+      contact_(grid_.mass.size(), std::uint8_t{0}),
       row_impulses_(static_cast<std::size_t>(geometry_.nodes_y)),
       row_damped_(static_cast<std::size_t>(geometry_.nodes_y), 0.0),
       live_(scene.phases.size(), 0),
@@ -59,10 +61,10 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   const double lightest = lightest_point(scene);
   // Lighter nodes are rounding: they take part in nothing.
   least_mass_ = static_cast<Real>(1e-12 * lightest);
-  // A point alone on a node of weight S swings with c / (h sqrt S); the step that suits a full cell suits it
-  // from S = cfl^2 / 4 on. Where the stress follows the new velocity of the nodes (USL), lighter nodes strain
+  // A point alone on a node of weight S swings with c / (h sqrt S), for which the step that suits a full cell
+  // is too long below S = cfl^2 / 4; four times that leaves room for several such nodes at a point. Where the stress follows the new velocity of the nodes (USL), lighter nodes strain
   // the points with the velocity that they brought.
-  light_mass_ = static_cast<Real>(0.25 * scene.cfl * scene.cfl * lightest);
+  light_mass_ = static_cast<Real>(scene.cfl * scene.cfl * lightest);
   slopes_from_straining_ =
       scene.motion.transfer == Transfer::apic && scene.motion.shape == Shape::linear;
   step_.half_size = static_cast<Real>(plan.moving.half_size);
@@ -70,22 +72,30 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
   step_.unilateral = static_cast<Real>(scene.damage.crack_closure == CrackClosure::unilateral ? 1 : 0);
   load_points(start.points);
-  make_bands();
+  for (Band& band : bands_) band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
 }
 
 template <class Real>
-void MovingSolver<Real>::make_bands() {
+std::vector<typename MovingSolver<Real>::Band> MovingSolver<Real>::make_bands(
+    const Scene& scene, const MovingGeometry& geometry) {
   // Two bands must not meet in one row of nodes with a third.
-  const int most = std::max(1, geometry_.tiles_y / (geometry_.reach - 1));
-  const int count = std::clamp(scene_.threads, 1, most);
-  bands_.resize(static_cast<std::size_t>(count));
+  const int most = std::max(1, geometry.tiles_y / (geometry.reach - 1));
+  const int count = std::clamp(scene.threads, 1, most);
+  std::vector<Band> bands(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    Band& band = bands_[static_cast<std::size_t>(i)];
-    band.begin = static_cast<int>(static_cast<std::int64_t>(geometry_.tiles_y) * i / count);
-    band.end = static_cast<int>(static_cast<std::int64_t>(geometry_.tiles_y) * (i + 1) / count);
-    band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
-    band.failed.assign(scene_.phases.size(), 0);
+    Band& band = bands[static_cast<std::size_t>(i)];
+    band.begin = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * i / count);
+    band.end = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * (i + 1) / count);
+    band.failed.assign(scene.phases.size(), 0);
   }
+  return bands;
+}
+
+template <class Real>
+std::vector<int> MovingSolver<Real>::band_ends() const {
+  std::vector<int> ends;
+  for (const Band& band : bands_) ends.push_back(band.end);
+  return ends;
 }
 
 template <class Real>
@@ -123,15 +133,17 @@ typename MovingSolver<Real>::Loose MovingSolver<Real>::loose_point(const StartPo
   v[sxy] = static_cast<Real>(point.stress.xy);
   v[lame] = static_cast<Real>(point.kept * c(0, 1));
   v[shear] = static_cast<Real>(point.kept * c(2, 2));
-  v[tension] = v[crush] = static_cast<Real>(kernels::unreachable);
-  if (phase.can_fail() && !point.ghost) {
-    const double factor = strength_factor(origin.random, phase.weibull_modulus);
-    const double threshold = point.cracked ? 0 : tension_threshold(phase, factor);
-    if (!point.cracked) v[tension] = static_cast<Real>(stored_threshold(threshold, 1));
-    v[crush] = static_cast<Real>(stored_threshold(shear_onset(phase, factor, threshold), 1));
-  }
   const RecordLayout& layout = points_.layout();
   const auto at = [&](int field) -> Real& { return v[static_cast<std::size_t>(field)]; };
+  const bool fails = phase.can_fail() && !point.ghost;
+  const double factor = fails ? strength_factor(origin.random, phase.weibull_modulus) : 1;
+  const double onset = point.cracked ? 0 : tension_threshold(phase, factor);
+  if (layout.tension >= 0)
+    at(layout.tension) =
+        static_cast<Real>(fails && !point.cracked ? stored_threshold(onset, 1) : kernels::unreachable);
+  if (layout.crush >= 0)
+    at(layout.crush) = static_cast<Real>(fails ? stored_threshold(shear_onset(phase, factor, onset), 1)
+                                               : kernels::unreachable);
   if (layout.cracked >= 0) at(layout.cracked) = point.cracked ? 1 : 0;
   if (layout.deformation >= 0) at(layout.deformation) = at(layout.deformation + 3) = 1;
   return loose;
@@ -198,6 +210,7 @@ void MovingSolver<Real>::begin_step() {
   const double height = cell_height(clock_.displacement);
   if (scene_.loading.direction != Direction::none) {
     const double sign = scene_.loading.direction == Direction::tension ? 1.0 : -1.0;
+    supports_.top.before = clock_.velocity;
     clock_.velocity = sign * scene_.loading.velocity * ramp(plan_, clock_.time + 0.5 * clock_.dt);
     supports_.top.velocity = clock_.velocity;
   }
@@ -296,7 +309,7 @@ void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
       },
       [&](int row) {
         sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
-        hold(row, &Grid::strain_x, &Grid::strain_y, false);
+        hold_straining_velocity(row);
       });
   for (int row = band.begin; row < band.end; ++row) {
     update_stress_and_damage(band, row);
@@ -334,7 +347,7 @@ void MovingSolver<Real>::step_usf(Band& band, std::barrier<>& barrier) {
       [&](int row) {
         sum_momentum(row, &Grid::vx, &Grid::vy);
         sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
-        hold(row, &Grid::strain_x, &Grid::strain_y, false);
+        hold_straining_velocity(row);
       });
   scatter_rows(
       band, barrier,
@@ -409,10 +422,13 @@ void MovingSolver<Real>::take_maps(Result& result) {
   const float nowhere = std::numeric_limits<float>::quiet_NaN();
   result.end_x.setConstant(scene_.labels.rows(), scene_.labels.cols(), nowhere);
   result.end_y = result.end_x;
+  if (plan_.moving.optional.deformation) result.deformation.fill(result.end_x);
   for (const PointView& point : points()) {
     if (point.id >= static_cast<std::uint32_t>(scene_.labels.size())) continue;
     result.end_x.data()[point.id] = static_cast<float>(point.x);
     result.end_y.data()[point.id] = static_cast<float>(point.y);
+    for (std::size_t i = 0; i < 4 && plan_.moving.optional.deformation; ++i)
+      result.deformation[i].data()[point.id] = static_cast<float>(point.deformation[i]);
   }
 }
 

@@ -85,7 +85,8 @@ class MovingSolver {
     bool stopped = false;     ///< nothing is to be done any more
   };
 
-  void make_bands();
+  [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, const MovingGeometry& geometry);
+  [[nodiscard]] std::vector<int> band_ends() const;
   void load_points(const std::vector<StartPoint>& points);
   [[nodiscard]] Loose loose_point(const StartPoint& point) const;
   [[nodiscard]] TilePlace place_of(double x, double y, Real& xi, Real& eta) const;
@@ -112,8 +113,15 @@ class MovingSolver {
   void move_points(Band& band, int row);
   void resort();
 
-  void hold(int node_row, Field vx, Field vy, bool counts);
-  void hold_node(int node_row, int col, Field vx, Field vy, bool counts);
+  /// Bits of contact_.
+  static constexpr std::uint8_t touches_upright = 1, touches_across = 2;
+  template <class Visit>
+  void for_held_nodes(int node_row, Visit&& visit);
+  void hold(int node_row);
+  void hold_node(int node_row, int col);
+  void hold_straining_velocity(int node_row);
+  void hold_straining(int node_row, int col);
+  [[nodiscard]] bool is_pinned(int node_row, int col);
   [[nodiscard]] int pinned_column(int node_row);
 
   void fail_suspects(Band& band, int row);
@@ -123,14 +131,12 @@ class MovingSolver {
   void record_failure(const PointOrigin& origin, bool cracked, FailureMode mode);
 
   [[nodiscard]] moving::NodeVectors<Real> nodes(int tile_row, Field x, Field y) const;
-  [[nodiscard]] moving::TileRow<Real> tiles(int row) {
-    return points_.tile_row(row, Real(geometry_.bottom_of(row)));
-  }
+  [[nodiscard]] moving::TileRow<Real> tiles(int row);
   [[nodiscard]] PointView view(const Slot& slot) const;
   [[nodiscard]] double cell_height(double displacement) const;
-  [[nodiscard]] Ledger balance() const;
-  [[nodiscard]] double elastic_energy(const Real* values, std::ptrdiff_t stride) const;
+  [[nodiscard]] Ledger balance();
   [[nodiscard]] std::string name_of(std::uint32_t id) const;
+  [[nodiscard]] double energy_of(const Loose& point) const;
   void leave(const Loose& point);
   void stop(std::string what);
 
@@ -141,10 +147,11 @@ class MovingSolver {
   MovingGeometry geometry_;
   Supports supports_;
   MovingGrid<Real> grid_;
+  std::vector<Band> bands_;
   TileSums<Real> momentum_, force_;
   MovingPoints<Real> points_;
   moving::Step<Real> step_{};
-  std::vector<Band> bands_;
+  std::vector<std::uint8_t> contact_;    ///< by node: which supports it touches
   std::vector<Impulses> row_impulses_;  ///< by row of nodes, in this step
   std::vector<double> row_damped_;      ///< by row of nodes, in all [J/m]
   std::vector<std::int64_t> live_;      ///< points that carry load, by label

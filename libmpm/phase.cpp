@@ -1,28 +1,11 @@
 #include "libmpm/phase.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
-#include "libmpm/error.hpp"
+#include "libmpm/require.hpp"
 
 namespace mpm {
-namespace {
-
-std::string text(double value, const char* unit) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.6g%s%s", value, *unit != '\0' ? " " : "", unit);
-  return buffer;
-}
-
-/// `ok` is written so that not-a-number fails it.
-void require(bool ok, const Phase& phase, const char* key, double value, const char* unit,
-             const char* allowed) {
-  if (!ok) throw Error("phases." + phase.name + "." + key, text(value, unit), allowed);
-}
-
-}  // namespace
-
 Eigen::Matrix3d stiffness(const Phase& phase, Plane plane) {
   const double nu = phase.poisson;
   const double shear = phase.young / (2 * (1 + nu));
@@ -65,20 +48,22 @@ std::vector<Phase> concrete_phases() {
 void validate(const Phase& phase, Plane plane) {
   const double largest_poisson = plane == Plane::strain ? 0.4999 : 0.5;
   const auto finite = [](double value) { return std::isfinite(value); };
-  require(finite(phase.young) && phase.young > 0, phase, "young", phase.young, "Pa", "must be > 0");
-  require(phase.poisson >= 0 && phase.poisson <= largest_poisson, phase, "poisson", phase.poisson, "",
-          plane == Plane::strain ? "must lie in [0, 0.4999] in plane strain"
-                                 : "must lie in [0, 0.5] in plane stress");
-  require(finite(phase.density) && phase.density > 0, phase, "density", phase.density, "kg/m3",
-          "must be > 0");
-  require(phase.tensile_scale > 0, phase, "tensile_scale", phase.tensile_scale, "Pa",
-          "must be > 0, or absent for a phase that does not crack");
-  require(phase.cohesion > 0, phase, "cohesion", phase.cohesion, "Pa",
-          "must be > 0, or absent for a phase that does not shear");
-  require(phase.friction_angle >= 0 && phase.friction_angle < std::numbers::pi / 2, phase, "friction_angle",
-          phase.friction_angle * 180 / std::numbers::pi, "deg", "must lie in [0, 90) deg");
-  require(finite(phase.weibull_modulus) && phase.weibull_modulus > 0, phase, "weibull_modulus",
-          phase.weibull_modulus, "", "must be > 0");
+  const auto check = [&](bool ok, const char* key, double value, const char* unit, const char* allowed) {
+    require(ok, "phases." + phase.name + "." + key, text(value, unit), allowed);
+  };
+  check(finite(phase.young) && phase.young > 0, "young", phase.young, "Pa", "must be > 0");
+  check(phase.poisson >= 0 && phase.poisson <= largest_poisson, "poisson", phase.poisson, "",
+        plane == Plane::strain ? "must lie in [0, 0.4999] in plane strain"
+                               : "must lie in [0, 0.5] in plane stress");
+  check(finite(phase.density) && phase.density > 0, "density", phase.density, "kg/m3", "must be > 0");
+  check(phase.tensile_scale > 0, "tensile_scale", phase.tensile_scale, "Pa",
+        "must be > 0, or absent for a phase that does not crack");
+  check(phase.cohesion > 0, "cohesion", phase.cohesion, "Pa",
+        "must be > 0, or absent for a phase that does not shear");
+  check(phase.friction_angle >= 0 && phase.friction_angle < std::numbers::pi / 2, "friction_angle",
+        phase.friction_angle * 180 / std::numbers::pi, "deg", "must lie in [0, 90) deg");
+  check(finite(phase.weibull_modulus) && phase.weibull_modulus > 0, "weibull_modulus", phase.weibull_modulus,
+        "", "must be > 0");
 }
 
 }  // namespace mpm

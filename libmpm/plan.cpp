@@ -40,6 +40,9 @@ kernels::Features features_needed(const Scene& scene, const std::vector<const Ph
   // A crack that never opens needs no closing.
   features.crack_closure =
       scene.damage.crack_closure != CrackClosure::off && features.check != kernels::Check::none;
+  // Kernels for one check alone exist for the usual 2 x 2 points a cell, without cracks that close.
+  if (features.check == kernels::Check::tension && (scene.points_per_cell != 2 || features.crack_closure))
+    features.check = kernels::Check::tension_and_shear;
   features.damping = scene.local_damping > 0;
   return features;
 }
@@ -58,7 +61,10 @@ MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, do
   plan.features.check = features.check;
   plan.features.crack_closure = features.crack_closure;
   plan.features.damping = features.damping;
+  plan.optional.tension = features.check != kernels::Check::none;
+  plan.optional.crush = features.check == kernels::Check::tension_and_shear;
   plan.optional.cracked = features.crack_closure;
+  plan.optional.deformation = motion.deformation_gradient;
   plan.optional.affine = motion.transfer == Transfer::apic;
   plan.mapped_back = motion.scheme == Scheme::musl;
   plan.half_size = motion.shape == Shape::gimp ? 0.5 / scene.points_per_cell : 0.5;

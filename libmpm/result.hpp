@@ -1,6 +1,7 @@
 /// What a run leaves behind.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -52,6 +53,9 @@ struct Result {
   /// With moving points only: where the point of a pixel is at the end, in the picture [m]; NaN = there is
   /// none. Else empty.
   Lattice<float> end_x, end_y;
+  /// With Motion::deformation_gradient only: F of the point of a pixel at the end [-], xx, xy, yx, yy; else
+  /// empty.
+  std::array<Lattice<float>, 4> deformation;
   std::vector<float> extra_failure_strain;       ///< the same for Scene::extra_points, in their order
   std::vector<std::uint8_t> extra_failure_mode;  ///< the same for Scene::extra_points, in their order
   std::int64_t tension_failures = 0;             ///< extra points included

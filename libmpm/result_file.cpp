@@ -122,6 +122,10 @@ void write_maps(hid_t file, const Result& result) {
               "place of the point of a pixel at the end, NaN = none; row 0 is the top", "m");
     write_map(file, "end_y", result.end_y, "the same, upwards from the lower edge of the picture", "m");
   }
+  for (std::size_t i = 0; i < result.deformation.size(); ++i)
+    if (result.deformation[i].size() > 0)
+      write_map(file, deformation_names[i], result.deformation[i],
+                "deformation gradient of the point of a pixel at the end; row 0 is the top");
 }
 
 /// A file that lives in memory: a full disk can then hit one plain write only, not HDF5 on its way out.

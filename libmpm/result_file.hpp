@@ -9,6 +9,7 @@
 ///   /failure_mode    uint8, same shape: 0 none, 1 tension, 2 shear
 ///   /crush_strain    float32, same shape; only with crack closure
 ///   /end_x, /end_y   float32, same shape, [m]; where the points are at the end; only with moving points
+///   /deformation_xx, _xy, _yx, _yy   float32, same shape; only where the scene asks for it
 #pragma once
 
 #include <string>

@@ -22,6 +22,9 @@ inline constexpr std::array<std::pair<StopReason, const char*>, 4> stop_reasons{
     {StopReason::interrupted, "interrupted"},
 }};
 
+inline constexpr std::array<const char*, 4> deformation_names{"deformation_xx", "deformation_xy",
+                                                              "deformation_yx", "deformation_yy"};
+
 /// What is wrong, without the path; the two public functions add it.
 struct Fault : std::runtime_error {
   using std::runtime_error::runtime_error;

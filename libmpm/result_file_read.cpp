@@ -160,6 +160,12 @@ void read_maps(hid_t file, Result& result) {
     result.end_y = read_map<float>(file, "end_y");
     require(same_shape(result.end_y, result.end_x), "dataset end_y has another shape than end_x");
   }
+  if (H5Lexists(file, deformation_names[0], H5P_DEFAULT) <= 0) return;
+  for (std::size_t i = 0; i < deformation_names.size(); ++i) {
+    result.deformation[i] = read_map<float>(file, deformation_names[i]);
+    require(same_shape(result.deformation[i], result.end_x),
+            std::string("dataset ") + deformation_names[i] + " has another shape than end_x");
+  }
 }
 
 Handle open_and_check(const std::string& path) {

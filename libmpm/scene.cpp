@@ -2,25 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "libmpm/error.hpp"
+#include "libmpm/require.hpp"
 
 namespace mpm {
 namespace {
-
-std::string text(double value, const char* unit) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.6g%s%s", value, *unit != '\0' ? " " : "", unit);
-  return buffer;
-}
-
-/// `ok` is written so that not-a-number fails it.
-void require(bool ok, const char* field, const std::string& value, const char* allowed,
-             const char* cure = "") {
-  if (!ok) throw Error(field, value, allowed, cure);
-}
 
 bool positive(double value) { return std::isfinite(value) && value > 0; }
 

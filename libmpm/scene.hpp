@@ -90,7 +90,8 @@ struct Motion {
   Shape shape = Shape::gimp;
   Scheme scheme = Scheme::musl;
   Transfer transfer = Transfer::flip;
-  double flip_ratio = 1;  ///< 1 = FLIP, 0 = PIC [-], in [0, 1]
+  double flip_ratio = 1;              ///< 1 = FLIP, 0 = PIC [-], in [0, 1]
+  bool deformation_gradient = false;  ///< the result has that of every point
   double margin = -1;  ///< of the grid beyond edges that are closed or open [m]; < 0 = a quarter of the width
   Edge left = Edge::closed, right = Edge::closed;
   Edge bottom = Edge::closed, top = Edge::closed;  ///< without platens

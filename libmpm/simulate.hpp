@@ -10,6 +10,8 @@
 
 namespace mpm {
 
+struct Plan;
+
 /// What an observer is told at each history row.
 struct Progress {
   const HistoryRow& row;
@@ -30,5 +32,8 @@ struct Diverged : std::runtime_error {
 /// Solve a scene.
 /// @throws Error for a scene that is not valid, Diverged with the step, time and place, and what to try.
 [[nodiscard]] Result simulate(const Scene& scene, const Observer& observer = {});
+
+/// The same by a plan that may do more than the scene needs.
+[[nodiscard]] Result simulate(const Scene& scene, const Plan& plan, const Observer& observer = {});
 
 }  // namespace mpm

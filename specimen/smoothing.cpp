@@ -43,7 +43,7 @@ Ranked rank_levels(const Raster<double>& picture) {
     levels.resize(most_levels);
     for (std::size_t i = 0; i < most_levels; ++i) levels[i] = low + static_cast<double>(i) * step;
     std::transform(picture.data.begin(), picture.data.end(), ranked.rank.data.begin(),
-                   [&](double v) { return static_cast<std::uint16_t>((v - low) / step + 0.5); });
+                   [&](double v) { return static_cast<std::uint16_t>(std::lround((v - low) / step)); });
   } else {
     std::transform(picture.data.begin(), picture.data.end(), ranked.rank.data.begin(), [&](double v) {
       return static_cast<std::uint16_t>(std::lower_bound(levels.begin(), levels.end(), v) - levels.begin());

@@ -1,6 +1,7 @@
 #include "apps/output/damage_picture.hpp"
 
 #include <cassert>
+#include <cmath>
 
 #include "specimen/preview.hpp"
 
@@ -11,7 +12,7 @@ using specimen::Rgb;
 
 Rgb towards_white(Rgb colour, double share) {
   const auto mix = [share](std::uint8_t channel) {
-    return static_cast<std::uint8_t>(channel + share * (255 - channel) + 0.5);
+    return static_cast<std::uint8_t>(std::lround(channel + share * (255 - channel)));
   };
   return {mix(colour.r), mix(colour.g), mix(colour.b)};
 }

@@ -51,8 +51,13 @@ Real chain_baseline(Real factor) {
   return chain_body(factor);
 }
 #ifdef __x86_64__
+#ifdef __clang__
+#define MESOPIX_AVX512 "avx512f,avx512vl,avx512dq,fma"  // Clang takes the width from the vectors
+#else
+#define MESOPIX_AVX512 "avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"
+#endif
 template <class Real>
-[[gnu::target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512")]] Real chain_avx512(Real factor) {
+[[gnu::target(MESOPIX_AVX512)]] Real chain_avx512(Real factor) {
   return chain_body(factor);
 }
 template <class Real>

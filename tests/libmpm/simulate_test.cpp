@@ -294,4 +294,23 @@ TEST(Diverged, SaysWhereAndKeepsWhatWasComputed) {
   }
 }
 
+// Damping holds back what gains speed and drives what loses it: at a step near the limit nodes turn round at
+// every step, ever faster. Their kinetic energy, a product of two successive velocities, is then negative.
+TEST(Diverged, IsNoticedWhenPositiveAndNegativeEnergiesGrowTogether) {
+  Scene scene = samples::pulled(samples::small_concrete(20, 20));
+  scene.pixel_size = 1e-3;
+  scene.cfl = 1;
+  scene.local_damping = 0.99;
+  for (const int rows : {1000, 10}) {
+    scene.history_rows = rows;
+    try {
+      const Result result = mpm::simulate(scene);
+      ADD_FAILURE() << "ended with a peak of " << result.peak_stress << " Pa";
+    } catch (const mpm::Diverged& diverged) {
+      EXPECT_THAT(diverged.what(), testing::HasSubstr("energy grows without work at step "));
+      EXPECT_LT(diverged.result.peak_stress, 10e6) << "what is kept is from before";
+    }
+  }
+}
+
 }  // namespace

@@ -21,6 +21,7 @@ may_include = [
     (r"iostream", r"(apps|tests)/"),
 ]
 never_in_libraries = re.compile(r"\b(std::c(out|err|log)|f?printf|puts|perror|(std::)?_?exit|abort|terminate)\s*(\(|<<)")
+reads_environment = re.compile(r"\b(?:secure_)?getenv\b|\benviron\b")
 
 faults = []
 includes = {}
@@ -34,8 +35,11 @@ for name in files:
     for include in includes[name]:
         faults += [f"{name}: includes {include}, which only {where} may do" for what, where in may_include
                    if re.match(what, include) and not re.match(where, name)]
+    code = re.sub(r'//.*|"(\\.|[^"\\])*"', "", text)
+    if not name.startswith("tests/"):
+        faults += [f"{name}: {word}: settings come from options and scenes, which a run writes down, never from the environment"
+                   for word in reads_environment.findall(code)]
     if name.startswith(libraries):
-        code = re.sub(r'//.*|"(\\.|[^"\\])*"', "", text)
         faults += [f"{name}: {m.group(0)}: a library never prints and never exits"
                    for m in never_in_libraries.finditer(code)]
 
