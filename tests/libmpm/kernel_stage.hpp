@@ -25,6 +25,7 @@ struct Stage {
   Grid grid;
   mpm::TileSums<Real> momentum, force;
   mpm::moving::Step<Real> step{};
+  bool folds = false;  ///< all four edges are supports
 
   /// 7 x 5 cells of 0.1 m; GIMP points are half a cell wide.
   explicit Stage(const Method& method, const std::string& instruction_set = "") {
@@ -38,8 +39,8 @@ struct Stage {
     points = Points(geometry.tiles_y, geometry.tiles_x, sweeps.lanes,
                     mpm::record_layout(plan.moving.optional));
     grid = mpm::make_moving_grid<Real>(geometry);
-    momentum = mpm::TileSums<Real>(geometry, 3);
-    force = mpm::TileSums<Real>(geometry, 2);
+    momentum = mpm::TileSums<Real>(geometry, 3, every_row());
+    force = mpm::TileSums<Real>(geometry, 2, every_row());
     step.half_size = static_cast<Real>(plan.moving.half_size);
     step.hx = step.hy = static_cast<Real>(plan.cell_size);
     step.dt = Real(1e-4);
@@ -47,6 +48,12 @@ struct Stage {
     step.flip_ratio = static_cast<Real>(method.flip_ratio);
   }
 
+  /// Each row a band of its own: the sums of all are kept.
+  [[nodiscard]] std::vector<int> every_row() const {
+    std::vector<int> ends;
+    for (int row = 1; row <= geometry.tiles_y; ++row) ends.push_back(row);
+    return ends;
+  }
   typename Points::Loose point_at(double x, double y) const {
     typename Points::Loose point;
     const double tile_x = x / plan.cell_size - geometry.tile_offset;
@@ -58,7 +65,6 @@ struct Stage {
     v[mpm::moving::mass] = v[mpm::moving::volume] = 1;
     v[mpm::moving::lame] = 2;
     v[mpm::moving::shear] = 3;
-    v[mpm::moving::tension] = v[mpm::moving::crush] = mpm::kernels::unreachable;
     const int f = points.layout().deformation;
     if (f >= 0) v[static_cast<std::size_t>(f)] = v[static_cast<std::size_t>(f + 3)] = 1;
     return point;
@@ -88,7 +94,9 @@ struct Stage {
     return static_cast<double>(points.value(slot, field));
   }
   mpm::moving::TileRow<Real> tiles(int row) {
-    return points.tile_row(row, static_cast<Real>(geometry.bottom_of(row)));
+    auto tiles = points.tile_row(row, static_cast<Real>(geometry.bottom_of(row)));
+    if (folds) tiles.folds = {0, geometry.tiles_x - 1, row == 0, row == geometry.tiles_y - 1};
+    return tiles;
   }
   void scatter() {
     for (int row = 0; row < points.rows(); ++row) {

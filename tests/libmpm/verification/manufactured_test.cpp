@@ -90,7 +90,9 @@ Outcome run(const Method& method, int cells, double amplitude, double cfl) {
 TEST(Manufactured, Figures) {
   for (const double amplitude : {1e-4, 0.05}) {
     for (const Method& method : samples::all_methods(0.9)) {
-      if (method.flip_ratio < 1) continue;
+      // The body force comes as a kick before the step: USF would strain the points with it before the stress
+      // has answered, which is first order in the step and says nothing of the scheme.
+      if (method.flip_ratio < 1 || method.scheme == mpm::Scheme::usf) continue;
       std::vector<double> sizes, errors;
       for (const int cells : {8, 16, 32}) {
         sizes.push_back(1.0 / cells);
