@@ -48,6 +48,20 @@ TEST(LatticePoints, ShareThePixelWithExtraPoints) {
   EXPECT_EQ(points.stiffness[points.at(0, 1, 0)], 20e9);
 }
 
+// Several Poisson ratios: stiffness is lambda, and all that is stored is times the share of the pixel.
+TEST(LatticePoints, ShareThePixelWithExtraPointsOfAnotherPoissonRatio) {
+  mpm::Scene scene = samples::mortar_block(4, 4);
+  scene.phases[samples::itz]->poisson = 0.3;
+  scene.extra_points = {{0.2e-3, 0.2e-3, samples::itz}};
+  const mpm::Plan plan = mpm::plan(scene);
+  const auto points = mpm::make_points<double>(scene, plan);
+  const Eigen::Matrix3d c = mpm::stiffness(*scene.phases[samples::mortar], scene.plane);
+  EXPECT_EQ(points.stiffness[points.at(0, 0, 0)], 0.5 * c(0, 1));
+  EXPECT_EQ(points.shear[points.at(0, 0, 0)], 0.5 * c(2, 2));
+  EXPECT_EQ(points.shear[points.at(0, 1, 0)], c(2, 2));
+  EXPECT_DOUBLE_EQ(mpm::threshold_scale(plan, *scene.phases[samples::mortar], 0.5), 0.5 * plan.cell_size);
+}
+
 TEST(LatticePoints, PaddingCarriesNothingAndNeverFails) {
   const mpm::Scene scene = samples::mortar_block(4, 6);
   const auto points = mpm::make_points<float>(scene, mpm::plan(scene));
