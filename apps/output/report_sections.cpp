@@ -106,7 +106,7 @@ std::vector<Fact> solution_facts(const RunRecord& record) {
           {"Time of the loop", rounded(result.wall_time), "s"},
           {"Speed", rounded(1e-6 * result.point_updates_per_second()), "million points/s"},
           {"Largest energy imbalance", rounded(100 * result.energy_error, 2), "% of the work"},
-          {"Threads", grouped(record.scene.threads), "threads"}};
+          {"Threads", grouped(record.scene.threads), record.scene.threads == 1 ? "thread" : "threads"}};
 }
 
 std::vector<Fact> provenance_facts(const RunRecord& record) {
