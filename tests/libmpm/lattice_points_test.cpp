@@ -12,6 +12,10 @@ namespace {
 TEST(StoredThreshold, IsNeverAboveTheTrueOne) {
   for (const double stress : {1.0, 3.3e6, 15e6 * std::sqrt(2.0), 1e9 / 3})
     EXPECT_LE(static_cast<double>(mpm::stored_threshold(stress, 0.7)), stress * 0.7);
+  for (int i = 1; i < 1000; ++i) {  // rounded to the nearest, half of them would lie above
+    const double stress = 1e6 * std::sqrt(i);
+    EXPECT_LE(static_cast<double>(mpm::stored_threshold(stress, 1e-14)), stress * 1e-14);
+  }
   EXPECT_EQ(mpm::stored_threshold(mpm::Phase::unbreakable, 1), mpm::kernels::unreachable);
   EXPECT_EQ(mpm::stored_threshold(0, 1), 0.0F);
 }
