@@ -28,19 +28,15 @@ struct Stage {
   bool folds = false;  ///< all four edges are supports
 
   /// 7 x 5 cells of 0.1 m; GIMP points are half a cell wide.
-  explicit Stage(const Method& method, const std::string& instruction_set = "") {
-    scene = soft_body(10, 14, 0.05, 0.25);
-    scene.motion.margin = 0;
-    method.give_to(scene);
-    plan = mpm::plan(scene);
-    plan.moving.optional.deformation = true;
-    geometry = mpm::moving_geometry(scene, plan);
-    sweeps = mpm::chosen_moving_kernels(instruction_set).template sweeps<Real>(plan.moving.features);
-    points = Points(geometry.tiles_y, geometry.tiles_x, sweeps.lanes,
-                    mpm::record_layout(plan.moving.optional));
-    grid = mpm::make_moving_grid<Real>(geometry);
-    momentum = mpm::TileSums<Real>(geometry, 3, every_row());
-    force = mpm::TileSums<Real>(geometry, 2, every_row());
+  explicit Stage(const Method& method, const std::string& instruction_set = "")
+      : scene(scene_of(method)),
+        plan(plan_of(scene)),
+        geometry(mpm::moving_geometry(scene, plan)),
+        sweeps(mpm::chosen_moving_kernels(instruction_set).template sweeps<Real>(plan.moving.features)),
+        points(geometry.tiles_y, geometry.tiles_x, sweeps.lanes, mpm::record_layout(plan.moving.optional)),
+        grid(mpm::make_moving_grid<Real>(geometry)),
+        momentum(geometry, 3, every_row(geometry)),
+        force(geometry, 2, every_row(geometry)) {
     step.half_size = static_cast<Real>(plan.moving.half_size);
     step.hx = step.hy = static_cast<Real>(plan.cell_size);
     step.dt = Real(1e-4);
@@ -48,10 +44,21 @@ struct Stage {
     step.flip_ratio = static_cast<Real>(method.flip_ratio);
   }
 
+  static mpm::Scene scene_of(const Method& method) {
+    mpm::Scene result = soft_body(10, 14, 0.05, 0.25);
+    result.motion.margin = 0;
+    method.give_to(result);
+    return result;
+  }
+  static mpm::Plan plan_of(const mpm::Scene& of) {
+    mpm::Plan result = mpm::plan(of);
+    result.moving.optional.deformation = true;
+    return result;
+  }
   /// Each row a band of its own: the sums of all are kept.
-  [[nodiscard]] std::vector<int> every_row() const {
+  static std::vector<int> every_row(const mpm::MovingGeometry& of) {
     std::vector<int> ends;
-    for (int row = 1; row <= geometry.tiles_y; ++row) ends.push_back(row);
+    for (int row = 1; row <= of.tiles_y; ++row) ends.push_back(row);
     return ends;
   }
   typename Points::Loose point_at(double x, double y) const {
