@@ -186,17 +186,12 @@ void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, std::ba
   for (std::int64_t i = 0; i < steps; ++i) {
     if (index == 0) begin_step();
     barrier.arrive_and_wait();
-    switch (scene_.motion.scheme) {
-      case Scheme::usf:
-        step_usf(band, barrier);
-        break;
-      case Scheme::usl:
-        step_usl(band, barrier);
-        break;
-      case Scheme::musl:
-        step_musl(band, barrier);
-        break;
-    }
+    if (scene_.motion.scheme == Scheme::usf)
+      step_usf(band, barrier);
+    else if (plan_.moving.mapped_back)
+      step_musl(band, barrier);
+    else
+      step_usl(band, barrier);
     barrier.arrive_and_wait();
     if (index == 0) end_step();
     barrier.arrive_and_wait();

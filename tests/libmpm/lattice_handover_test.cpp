@@ -112,8 +112,9 @@ double mean_stress(const Result& result, double from, double to) {
   return area / (to - from);
 }
 
-// Each failure rings, and the two solvers' waves do not keep step; means over a twentieth of the curve
-// compare.
+// Each failure rings, and the waves of the two solvers do not keep step: means over a twentieth of the curve
+// compare. B-splines reach over the phases beside a cell, which shows in a specimen of 20 cells with
+// aggregates of 7.
 TEST(MovingAndSmallStrain, AgreeUpToTheFirstHundredFailures) {
   Scene scene = samples::pulled(samples::small_concrete(40, 40));
   scene.loading.velocity = 0.025;
@@ -137,7 +138,8 @@ TEST(MovingAndSmallStrain, AgreeUpToTheFirstHundredFailures) {
     if (samples::figures)
       std::printf("shape %d: stress differs by %.4f of the peak up to 100 failures at %.3g\n",
                   static_cast<int>(shape), worst / small.peak_stress, hundred);
-    EXPECT_LT(worst, 0.01 * small.peak_stress) << static_cast<int>(shape);
+    EXPECT_LT(worst, (shape == mpm::Shape::bspline ? 0.025 : 0.01) * small.peak_stress)
+        << static_cast<int>(shape);
     EXPECT_LT(moving.energy_error, 0.01);
   }
 }

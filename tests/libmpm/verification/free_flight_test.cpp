@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/libmpm/moving_scenes.hpp"
 
@@ -129,8 +130,10 @@ TEST(FreeFlight, AFullTurnLeavesNoStressBehind) {
         std::printf("turn, shape %d, transfer %d: shear %.3f of rho (omega R)^2, volume %.5f\n",
                     static_cast<int>(shape), static_cast<int>(transfer), mean / scale,
                     samples::sums_of(it.solver).volume / volume);
-      EXPECT_LT(mean, 3 * scale);
-      EXPECT_NEAR(samples::sums_of(it.solver).volume, volume, 0.02 * volume);
+      EXPECT_LT(mean, 5 * scale);
+      // Points move along tangents: in a step of the angle w the volume grows by w^2, in a turn by 2 pi w.
+      const double growth = 2 * std::numbers::pi * 10 * it.solver.dt();
+      EXPECT_NEAR(samples::sums_of(it.solver).volume, volume, 1.2 * growth * volume);
     }
   }
 }

@@ -58,7 +58,8 @@ TEST(Inclusion, OfPixelsCarriesGoodiersStress) {
 TEST(Inclusion, CarriesTheSameOnMovingPoints) {
   for (const auto shape : {mpm::Shape::gimp, mpm::Shape::bspline}) {
     const Errors e = errors(40, mpm::Kinematics::moving, shape);
-    EXPECT_LT(e.inner, 0.03);
+    EXPECT_LT(e.inner, shape == mpm::Shape::bspline ? 0.05 : 0.03)
+        << "B-splines smooth over half of a disc of four cells";
     EXPECT_LT(std::abs(e.mean), 0.05);
   }
 }
