@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/specimen_report.hpp"
+#include "apps/strain_text.hpp"
 #include "libmpm/error.hpp"
 #include "libmpm/result_file.hpp"
 #include "specimen/error.hpp"
@@ -55,11 +56,11 @@ Json result_json(const mpm::Result& result) {
 
 std::string result_text(const Json& figures) {
   return fmt::format(
-      "result: peak {:.4g} MPa at strain {:.4g}e-6, ended at strain {:.4g}e-6 ({})\n"
+      "result: peak {:.4g} MPa at strain {}, ended at strain {} ({})\n"
       "  {} tension and {} shear failures of {} points\n"
       "  {} steps of {:.4g} s in {:.2f} s ({:.0f} million point updates a second, {})\n",
-      1e-6 * figures["peak_stress_Pa"].get<double>(), 1e6 * figures["peak_strain"].get<double>(),
-      1e6 * figures["last_strain"].get<double>(), figures["stop"].get<std::string>(),
+      1e-6 * figures["peak_stress_Pa"].get<double>(), strain_text(figures["peak_strain"].get<double>()),
+      strain_text(figures["last_strain"].get<double>()), figures["stop"].get<std::string>(),
       figures["tension_failures"].get<std::int64_t>(), figures["shear_failures"].get<std::int64_t>(),
       figures["points"].get<std::int64_t>(), figures["steps"].get<std::int64_t>(),
       figures["dt_s"].get<double>(), figures["wall_time_s"].get<double>(),

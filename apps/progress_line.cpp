@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "apps/output/load_words.hpp"
+
 namespace app {
 namespace {
 
 constexpr const char* wipe = "\r\x1b[K";
+
+std::string strain_now(double strain) {
+  return strain < 0.01 ? fmt::format("{:.0f}e-6", 1e6 * strain) : fmt::format("{:.2f} %", 100 * strain);
+}
 
 std::string time_left(const mpm::Progress& progress) {
   if (progress.fraction <= 0) return "";
@@ -16,16 +22,17 @@ std::string time_left(const mpm::Progress& progress) {
 
 }  // namespace
 
-std::string progress_text(const mpm::Progress& progress) {
+std::string progress_text(const mpm::Scene& scene, const mpm::Progress& progress) {
   const mpm::HistoryRow& row = progress.row;
-  return fmt::format("{:3.0f} %   strain {:.0f}e-6   stress {:.2f} MPa   {} failed{}",
-                     100 * progress.fraction, 1e6 * row.strain, 1e-6 * row.stress,
+  return fmt::format("{:3.0f} %   {} {}   {} {:.2f} MPa   {} failed{}", 100 * progress.fraction,
+                     output::has_platens(scene) ? "strain" : output::name_of_strain(scene),
+                     strain_now(row.strain), output::name_of_stress(scene), 1e-6 * row.stress,
                      row.tension_failures + row.shear_failures, time_left(progress));
 }
 
 void ProgressLine::show(const mpm::Progress& progress) {
   if (!enabled_ || (drawn_ && progress.wall_time - last_ < 0.1)) return;
-  terminal_ << wipe << progress_text(progress) << std::flush;
+  terminal_ << wipe << progress_text(scene_, progress) << std::flush;
   drawn_ = true;
   last_ = progress.wall_time;
 }

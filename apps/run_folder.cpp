@@ -6,6 +6,7 @@
 #include "apps/output/curve_csv.hpp"
 #include "apps/output/damage_picture.hpp"
 #include "apps/output/damage_stages.hpp"
+#include "apps/output/deformed_picture.hpp"
 #include "apps/output/picture_scale.hpp"
 #include "apps/output/png.hpp"
 #include "apps/output/report.hpp"
@@ -56,6 +57,22 @@ void write_damage(const fs::path& folder, const RunRecord& record) {
   }
 }
 
+/// As fine as the other pictures are magnified.
+void write_end(const fs::path& folder, const RunRecord& record) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  const int fineness = output::file_magnification(mask.labels.rows, mask.labels.cols);
+  for (const bool colour : {false, true}) {
+    const fs::path path = folder / output::deformed_name(colour);
+    const output::Palette palette = colour ? output::colour_palette() : output::grey_palette();
+    std::error_code ignored;  // there is nothing to remove in a new folder
+    if (output::has_end(record.result))
+      specimen::write_png(path.string(), output::deformed_picture(mask, record.result, palette, fineness),
+                          mask.pixel_size / fineness);
+    else
+      fs::remove(path, ignored);
+  }
+}
+
 }  // namespace
 
 void write_run(const fs::path& folder, const RunRecord& record) {
@@ -70,5 +87,6 @@ void write_run(const fs::path& folder, const RunRecord& record) {
   write_picture(folder / "specimen.png", specimen::preview(record.specimen.mask),
                 record.specimen.mask.pixel_size);
   write_damage(folder, record);
+  write_end(folder, record);
   write_text(folder / "report.html", output::report_html(record));
 }

@@ -29,12 +29,12 @@ struct RunRecord {
 ///   specimen.png   preview of the mask
 ///   damage_025.png ... damage_150.png            damage at 25 ... 150 % of the peak strain, in greys
 ///   damage_025_colour.png ... damage_150_colour.png   the same over the colours of the phases
+///   deformed.png, deformed_colour.png            with moving points: where they are at the end
 ///   curve.png      stress against strain
 ///   report.html    all of it on one page that needs no network
 /// A damage picture beyond the strain that the run reached is left out, and report and summary say so.
 /// Every file is written to a temporary name beside it, then renamed: no half-written file carries a final
-/// name. Files of an earlier run of the same names are replaced; damage pictures that this run has not are
-/// removed.
+/// name. Files of an earlier run of the same names are replaced; pictures that this run has not are removed.
 /// @throws specimen::Error (Fault::write) or mpm::FileError when the disk fails, naming the file.
 void write_run(const std::filesystem::path& folder, const RunRecord& record);
 

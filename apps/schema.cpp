@@ -59,6 +59,40 @@ std::string why_group_unused(const std::string& group, Source source) {
   return {};
 }
 
+bool is_of_platens(std::string_view key) {
+  return key == "loading.velocity" || key == "loading.ramp_time" || key == "loading.platen" ||
+         key == "loading.separation" || key == "loading.stop_strain";
+}
+
+bool is_of_flight(std::string_view key) {
+  return key == "loading.initial_velocity_x" || key == "loading.initial_velocity_y" ||
+         key == "loading.duration" || key == "motion.bottom" || key == "motion.top";
+}
+
+/// Whether the grid reaches beyond an edge of the specimen.
+bool has_margin(const mpm::Scene& scene) {
+  const mpm::Motion& motion = scene.motion;
+  const auto ends = [](mpm::Edge edge) { return edge == mpm::Edge::closed || edge == mpm::Edge::open; };
+  return ends(motion.left) || ends(motion.right) ||
+         (scene.loading.direction == mpm::Direction::none && (ends(motion.bottom) || ends(motion.top)));
+}
+
+/// Why a setting of the loading or of moving points has no effect on a scene.
+std::string why_motion_unused(std::string_view key, const mpm::Scene& scene) {
+  const std::string group = group_of(key);
+  const bool flies = scene.loading.direction == mpm::Direction::none;
+  if ((group == "motion" || key == "loading.separation") && scene.kinematics == mpm::Kinematics::small_strain)
+    return "has an effect with solver.kinematics = \"moving\" or \"auto\" only";
+  if (group == "handover" && scene.kinematics != mpm::Kinematics::automatic)
+    return "has an effect with solver.kinematics = \"auto\" only";
+  if (flies && is_of_platens(key)) return "has no effect with loading.direction = \"none\"";
+  if (!flies && is_of_flight(key)) return "has an effect with loading.direction = \"none\" only";
+  if (key == "motion.flip_ratio" && scene.motion.transfer == mpm::Transfer::apic)
+    return "has no effect with motion.transfer = \"apic\"";
+  if (key == "motion.margin" && !has_margin(scene)) return "has no effect where no edge is closed or open";
+  return {};
+}
+
 }  // namespace
 
 std::string group_of(std::string_view key) { return std::string(key.substr(0, key.find('.'))); }
@@ -106,6 +140,7 @@ std::string why_unused(std::string_view key, const Settings& settings) {
   const bool has_file = !choice.file.empty() || !choice.picture.empty() || !choice.ellipses.empty();
   if (key == "specimen.sha256" && !has_file) return "is that of a file, and none is given";
   if (is_of_curve(key) && !settings.grading.classes.empty()) return "has no effect beside generate.classes";
+  if (const std::string reason = why_motion_unused(key, settings.scene); !reason.empty()) return reason;
   const Source source = source_of(settings);
   if (source == Source::ellipses && is_of_canvas(key)) return {};
   return why_group_unused(group_of(key), source);

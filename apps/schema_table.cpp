@@ -142,10 +142,11 @@ std::vector<Field> loading_fields() {
   using mpm::Direction;
   using mpm::Platen;
   const Choice<Direction> direction{
-      {{"tension", Direction::tension}, {"compression", Direction::compression}}};
+      {{"tension", Direction::tension}, {"compression", Direction::compression}, {"none", Direction::none}}};
   const Choice<Platen> platen{{{"smooth", Platen::smooth}, {"rough", Platen::rough}}};
   return {
-      field("loading.direction", direction, "way of the top platen", MEMBER(scene.loading.direction)),
+      field("loading.direction", direction, "way of the top platen; none = no platens, the specimen flies",
+            MEMBER(scene.loading.direction)),
       field("loading.velocity", Quantity{Dimension::velocity, above(0), {}}, "of the top platen",
             MEMBER(scene.loading.velocity)),
       field("loading.ramp_time", Quantity{Dimension::time, at_least(0), Word{"auto", -1}},
@@ -153,10 +154,24 @@ std::vector<Field> loading_fields() {
             MEMBER(scene.loading.ramp_time)),
       field("loading.platen", platen, "smooth lets the specimen slide sideways, rough holds it",
             MEMBER(scene.loading.platen)),
+      field("loading.separation", Boolean{}, "let the specimen part from the platens that press it",
+            MEMBER(scene.loading.separation)),
       field("loading.stop_strain", ratio(inside(0, 1)), "strain at which the run ends",
             MEMBER(scene.loading.stop_strain)),
       field("loading.stop_drop", OptionalQuantity{ratio(inside(0, 1)), "none"},
             "ends the run below this share of the peak stress", MEMBER(scene.loading.stop_drop)),
+  };
+}
+
+std::vector<Field> flight_fields() {
+  const Quantity velocity{Dimension::velocity, {}, {}};
+  return {
+      field("loading.initial_velocity_x", velocity, "of the flying specimen, to the right",
+            MEMBER(scene.loading.initial_velocity_x)),
+      field("loading.initial_velocity_y", velocity, "of the flying specimen, upwards",
+            MEMBER(scene.loading.initial_velocity_y)),
+      field("loading.duration", Quantity{Dimension::time, above(0), Word{"none", 0}},
+            "of a run without platens", MEMBER(scene.loading.duration)),
   };
 }
 
@@ -178,13 +193,20 @@ std::vector<Field> damage_fields() {
 }
 
 std::vector<Field> solver_fields() {
+  using mpm::Kinematics;
   using mpm::Plane;
   using mpm::Precision;
+  const Choice<Kinematics> kinematics{{{"small_strain", Kinematics::small_strain},
+                                       {"moving", Kinematics::moving},
+                                       {"auto", Kinematics::automatic}}};
   const Choice<Plane> plane{{{"strain", Plane::strain}, {"stress", Plane::stress}}};
   const Choice<std::string> instruction_set{
       {{"auto", ""}, {"avx512", "avx512"}, {"avx2", "avx2"}, {"baseline", "baseline"}}};
   const Choice<Precision> precision{{{"double", Precision::double_}, {"single", Precision::single}}};
   return {
+      field("solver.kinematics", kinematics,
+            "points that keep their place, or move with the specimen; auto = move once they need to",
+            MEMBER(scene.kinematics)),
       field("solver.plane", plane, "plane strain or plane stress", MEMBER(scene.plane)),
       field("solver.points_per_cell", Integer<>{{between(1, 4), {}}},
             "pixels along an edge of a cell of the grid", MEMBER(scene.points_per_cell)),
@@ -192,11 +214,61 @@ std::vector<Field> solver_fields() {
             MEMBER(scene.cfl)),
       field("solver.local_damping", ratio(below(0, 1)),
             "share of the unbalanced force that opposes the motion", MEMBER(scene.local_damping)),
-      field("solver.precision", precision, "of stresses", MEMBER(scene.precision)),
+      field("solver.precision", precision, "of stresses; of all numbers of moving points",
+            MEMBER(scene.precision)),
       field("solver.instruction_set", instruction_set,
             "of the sweeps; auto = the fastest that the processor has", MEMBER(scene.instruction_set)),
       field("solver.threads", Integer<>{{between(1, 1024), {}}}, "does not change the result",
             MEMBER(scene.threads)),
+  };
+}
+
+std::vector<Field> motion_fields() {
+  using mpm::Scheme;
+  using mpm::Shape;
+  using mpm::Transfer;
+  const Choice<Shape> shape{{{"linear", Shape::linear}, {"gimp", Shape::gimp}, {"bspline", Shape::bspline}}};
+  const Choice<Scheme> scheme{{{"usf", Scheme::usf}, {"usl", Scheme::usl}, {"musl", Scheme::musl}}};
+  const Choice<Transfer> transfer{{{"flip", Transfer::flip}, {"apic", Transfer::apic}}};
+  return {
+      field("motion.shape", shape, "functions between points and nodes: tents, GIMP, or quadratic B-splines",
+            MEMBER(scene.motion.shape)),
+      field("motion.scheme", scheme,
+            "stress follows the nodes first in a step, last, or last from the new velocity mapped back",
+            MEMBER(scene.motion.scheme)),
+      field("motion.transfer", transfer, "nodes give points a change of velocity, or velocity and gradient",
+            MEMBER(scene.motion.transfer)),
+      field("motion.flip_ratio", ratio(between(0, 1)), "1 = FLIP, keeps energy; 0 = PIC, damps",
+            MEMBER(scene.motion.flip_ratio)),
+      field("motion.margin", Quantity{Dimension::length, at_least(0), Word{"auto", -1}},
+            "of the grid beyond closed and open edges; auto = a quarter of the width",
+            MEMBER(scene.motion.margin)),
+  };
+}
+
+std::vector<Field> edge_fields() {
+  using mpm::Edge;
+  const Choice<Edge> edge{{{"closed", Edge::closed},
+                           {"open", Edge::open},
+                           {"symmetry", Edge::symmetry},
+                           {"smooth_wall", Edge::smooth_wall},
+                           {"rough_wall", Edge::rough_wall}}};
+  return {
+      field("motion.left", edge, "edge: points must not leave, may leave, or meet a plane or a wall there",
+            MEMBER(scene.motion.left)),
+      field("motion.right", edge, "the same at the right", MEMBER(scene.motion.right)),
+      field("motion.bottom", edge, "the same at the bottom, without platens", MEMBER(scene.motion.bottom)),
+      field("motion.top", edge, "the same at the top, without platens", MEMBER(scene.motion.top)),
+  };
+}
+
+std::vector<Field> handover_fields() {
+  return {
+      field("handover.strain", ratio(above(0)), "strain of a live point from which on points move",
+            MEMBER(scene.handover.strain)),
+      field("handover.displacement", ratio(above(0)),
+            "of a node from the mean motion, in cells, from which on points move",
+            MEMBER(scene.handover.displacement)),
   };
 }
 
@@ -230,10 +302,11 @@ std::vector<PhaseField> properties() {
 
 const std::vector<Group>& groups() {
   static const std::vector<Group> all{
-      {"specimen", "Specimen", ""}, {"generate", "Random aggregates", ""},
-      {"convert", "Picture", ""},   {"itz", "ITZ rings", "itz-"},
-      {"phases", "Phases", ""},     {"loading", "Loading", ""},
-      {"damage", "Damage", ""},     {"solver", "Solver", ""},
+      {"specimen", "Specimen", ""},    {"generate", "Random aggregates", ""},
+      {"convert", "Picture", ""},      {"itz", "ITZ rings", "itz-"},
+      {"phases", "Phases", ""},        {"loading", "Loading", ""},
+      {"damage", "Damage", ""},        {"solver", "Solver", ""},
+      {"motion", "Moving points", ""}, {"handover", "From small strain to moving points", "handover-"},
       {"output", "Output", ""},
   };
   return all;
@@ -242,9 +315,9 @@ const std::vector<Group>& groups() {
 const std::vector<Field>& fields() {
   static const std::vector<Field> all = [] {
     std::vector<Field> table;
-    for (auto* part :
-         {&specimen_fields, &generate_fields, &segmentation_fields, &scale_fields, &cleaning_fields,
-          &itz_fields, &loading_fields, &damage_fields, &solver_fields, &output_fields})
+    for (auto* part : {&specimen_fields, &generate_fields, &segmentation_fields, &scale_fields,
+                       &cleaning_fields, &itz_fields, &loading_fields, &flight_fields, &damage_fields,
+                       &solver_fields, &motion_fields, &edge_fields, &handover_fields, &output_fields})
       for (Field& one : part()) table.push_back(std::move(one));
     return table;
   }();

@@ -49,16 +49,95 @@ void validate_phases(const Scene& scene) {
           "at least one pixel must be of a phase that carries load");
 }
 
-void validate_loading(const Loading& loading) {
+void validate_platens(const Loading& loading) {
   require(positive(loading.velocity), "loading.velocity", text(loading.velocity, "m/s"), "must be > 0",
           "the direction is told by loading.direction");
-  require(std::isfinite(loading.ramp_time), "loading.ramp_time", text(loading.ramp_time, "s"),
-          "must be finite");
   require(positive(loading.stop_strain) && loading.stop_strain < 1, "loading.stop_strain",
           text(loading.stop_strain, ""), "must lie in (0, 1)");
+  require(!loading.separation || loading.direction == Direction::compression, "loading.separation", "true",
+          "platens that pull would part from the specimen at once", "pull without it");
+  const bool flies = loading.initial_velocity_x != 0 || loading.initial_velocity_y != 0;
+  require(
+      !flies, "loading.initial_velocity",
+      "(" + text(loading.initial_velocity_x, "m/s") + ", " + text(loading.initial_velocity_y, "m/s") + ")",
+      "between platens the specimen begins at rest", "choose loading.direction none");
+  require(loading.duration == 0, "loading.duration", text(loading.duration, "s"),
+          "between platens a run ends at loading.stop_strain", "choose loading.direction none");
+}
+
+void validate_flight(const Loading& loading) {
+  require(std::isfinite(loading.initial_velocity_x), "loading.initial_velocity_x",
+          text(loading.initial_velocity_x, "m/s"), "must be finite");
+  require(std::isfinite(loading.initial_velocity_y), "loading.initial_velocity_y",
+          text(loading.initial_velocity_y, "m/s"), "must be finite");
+  require(positive(loading.duration), "loading.duration", text(loading.duration, "s"), "must be > 0",
+          "without platens it says when the run ends");
+  require(!loading.separation, "loading.separation", "true", "there are no platens to part from",
+          "choose a wall in motion.bottom or motion.top");
+}
+
+void validate_loading(const Loading& loading) {
+  require(std::isfinite(loading.ramp_time), "loading.ramp_time", text(loading.ramp_time, "s"),
+          "must be finite");
   if (loading.stop_drop)
     require(*loading.stop_drop > 0 && *loading.stop_drop < 1, "loading.stop_drop",
             text(*loading.stop_drop, ""), "must lie in (0, 1)");
+  if (loading.direction == Direction::none)
+    validate_flight(loading);
+  else
+    validate_platens(loading);
+}
+
+void validate_motion(const Motion& motion) {
+  require(motion.flip_ratio >= 0 && motion.flip_ratio <= 1, "motion.flip_ratio", text(motion.flip_ratio, ""),
+          "must lie in [0, 1]");
+  require(motion.transfer == Transfer::flip || motion.flip_ratio == 1, "motion.flip_ratio",
+          text(motion.flip_ratio, ""), "has no effect with motion.transfer apic", "choose one of them");
+  require(std::isfinite(motion.margin), "motion.margin", text(motion.margin, "m"), "must be finite");
+}
+
+void validate_handover(const Handover& handover) {
+  require(positive(handover.strain), "handover.strain", text(handover.strain, ""), "must be > 0");
+  require(positive(handover.displacement), "handover.displacement", text(handover.displacement, ""),
+          "must be > 0");
+}
+
+const char* name_of(Edge edge) {
+  switch (edge) {
+    case Edge::closed:
+      return "closed";
+    case Edge::open:
+      return "open";
+    case Edge::symmetry:
+      return "symmetry";
+    case Edge::smooth_wall:
+      return "smooth_wall";
+    case Edge::rough_wall:
+      return "rough_wall";
+  }
+  return "";
+}
+
+void validate_edge(const Scene& scene, const char* field, Edge edge, bool is_held_by_platen) {
+  if (edge == Edge::closed) return;
+  require(!is_held_by_platen, field, name_of(edge), "there is a platen", "choose loading.direction none");
+  // While small strain lasts, all that is not between the platens is free.
+  require(scene.kinematics == Kinematics::moving ||
+              (edge == Edge::open && scene.kinematics == Kinematics::automatic),
+          field, name_of(edge), "is for moving points", "choose solver.kinematics moving");
+}
+
+/// What only moving points heed must not be asked of small strain.
+void validate_kinematics(const Scene& scene) {
+  const bool flies = scene.loading.direction == Direction::none;
+  require(!flies || scene.kinematics == Kinematics::moving, "loading.direction", "none",
+          "a specimen flies by moving points only", "choose solver.kinematics moving");
+  require(!scene.loading.separation || scene.kinematics != Kinematics::small_strain, "loading.separation",
+          "true", "is for moving points", "choose solver.kinematics moving or auto");
+  validate_edge(scene, "motion.left", scene.motion.left, false);
+  validate_edge(scene, "motion.right", scene.motion.right, false);
+  validate_edge(scene, "motion.bottom", scene.motion.bottom, !flies);
+  validate_edge(scene, "motion.top", scene.motion.top, !flies);
 }
 
 void validate_solver(const Scene& scene) {
@@ -79,6 +158,9 @@ void validate(const Scene& scene) {
   validate_picture(scene);
   validate_phases(scene);
   validate_loading(scene.loading);
+  validate_motion(scene.motion);
+  validate_handover(scene.handover);
+  validate_kinematics(scene);
   validate_solver(scene);
 }
 

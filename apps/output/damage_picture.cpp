@@ -50,6 +50,7 @@ Palette colour_palette() {
 }
 
 mpm::FailureMode failure_at(const mpm::Result& result, Eigen::Index pixel, double strain) {
+  if (result.failure_strain.size() == 0) return mpm::FailureMode::none;
   if (result.crush_strain.size() > 0 && has_happened(result.crush_strain.data()[pixel], strain))
     return mpm::FailureMode::shear;
   if (has_happened(result.failure_strain.data()[pixel], strain))
@@ -59,8 +60,8 @@ mpm::FailureMode failure_at(const mpm::Result& result, Eigen::Index pixel, doubl
 
 specimen::Raster<Rgb> damage_picture(const specimen::LabelledMask& mask, const mpm::Result& result,
                                      double strain, const Palette& palette) {
-  assert(result.failure_strain.rows() == mask.labels.rows &&
-         result.failure_strain.cols() == mask.labels.cols);
+  assert(result.failure_strain.size() == 0 || (result.failure_strain.rows() == mask.labels.rows &&
+                                               result.failure_strain.cols() == mask.labels.cols));
   specimen::Raster<Rgb> picture(mask.labels.rows, mask.labels.cols);
   for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) {
     const mpm::FailureMode failure = failure_at(result, static_cast<Eigen::Index>(pixel), strain);

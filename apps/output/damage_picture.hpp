@@ -29,7 +29,7 @@ struct Palette {
 [[nodiscard]] mpm::FailureMode failure_at(const mpm::Result& result, Eigen::Index pixel, double strain);
 
 /// Damage at a platen strain [-], one pixel a pixel, row 0 on top as in the mask.
-/// @pre the maps of the result have the shape of the mask.
+/// @pre the maps of the result have the shape of the mask, or are empty: nothing can fail.
 [[nodiscard]] specimen::Raster<specimen::Rgb> damage_picture(const specimen::LabelledMask& mask,
                                                              const mpm::Result& result, double strain,
                                                              const Palette& palette);

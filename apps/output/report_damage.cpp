@@ -4,10 +4,13 @@
 
 #include "apps/output/damage_picture.hpp"
 #include "apps/output/damage_stages.hpp"
+#include "apps/output/deformed_picture.hpp"
 #include "apps/output/html.hpp"
+#include "apps/output/picture_scale.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/report_sections.hpp"
 #include "apps/output/run_words.hpp"
+#include "apps/output/strain_unit.hpp"
 #include "apps/output/text.hpp"
 
 namespace output {
@@ -38,10 +41,26 @@ std::string figure(const RunRecord& record, const DamageStage& stage, const std:
   for (const Look& look : looks)
     html += image(damage_picture(record.specimen.mask, record.result, stage.strain, look.palette),
                   "Damage at " + share, look.css_class);
+  const StrainUnit unit = strain_unit(record.result);
   return html + fmt::format(
-                    "<figcaption><b>{}</b><br/>{} microstrain<br/>{} failed in tension, {} in shear"
+                    "<figcaption><b>{}</b><br/>{} {}<br/>{} failed in tension, {} in shear"
                     "</figcaption>\n</figure>\n",
-                    escape(share), rounded(1e6 * stage.strain), grouped(stage.tension), grouped(stage.shear));
+                    escape(share), rounded(unit.per_strain * stage.strain), unit.name, grouped(stage.tension),
+                    grouped(stage.shear));
+}
+
+/// Where the points are at the end, for runs in which they move.
+std::string end_figure(const RunRecord& record, const std::vector<Look>& looks) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  const int fineness = file_magnification(mask.labels.rows, mask.labels.cols);
+  std::string html = "<figure>\n";
+  for (const Look& look : looks)
+    html += image(deformed_picture(mask, record.result, look.palette, fineness), "The specimen at the end",
+                  look.css_class);
+  return html + fmt::format(
+                    "<figcaption><b>At the end</b>, true to scale<br/>{} failed in tension, {} in shear"
+                    "</figcaption>\n</figure>\n",
+                    grouped(record.result.tension_failures), grouped(record.result.shear_failures));
 }
 
 /// What the pictures do not show.
@@ -62,7 +81,8 @@ std::string remarks(const RunRecord& record, const DamageStages& stages) {
 
 std::string damage_section(const RunRecord& record) {
   const DamageStages stages = damage_stages(record.result);
-  if (stages.drawn.empty()) return section("Damage", paragraph(missing_note(stages)));
+  const bool shows_end = has_end(record.result);
+  if (stages.drawn.empty() && !shows_end) return section("Damage", paragraph(missing_note(stages)));
   const std::vector<Look> looks{{"in-colour", colour_palette()}, {"in-grey", grey_palette()}};
   std::string html =
       "<input class=\"choice\" type=\"radio\" name=\"look\" id=\"in-colour\" checked=\"checked\"/>"
@@ -72,6 +92,7 @@ std::string damage_section(const RunRecord& record) {
   for (const Look& look : looks) html += legend(record.specimen.mask, look);
   html += "<div class=\"pictures\">\n";
   for (const DamageStage& stage : stages.drawn) html += figure(record, stage, looks);
+  if (shows_end) html += end_figure(record, looks);
   return section("Damage", html + "</div>\n<div class=\"remarks\">\n" + remarks(record, stages) + "</div>\n");
 }
 

@@ -7,9 +7,11 @@
 #include "apps/output/failure_table.hpp"
 #include "apps/output/html.hpp"
 #include "apps/output/key_figures.hpp"
+#include "apps/output/load_words.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/run_charts.hpp"
 #include "apps/output/run_words.hpp"
+#include "apps/output/strain_unit.hpp"
 #include "apps/output/text.hpp"
 #include "specimen/preview.hpp"
 
@@ -25,16 +27,59 @@ std::string size_in_pixels(const specimen::LabelledMask& mask) {
   return grouped(mask.labels.cols) + " × " + grouped(mask.labels.rows);
 }
 
-std::vector<Fact> strength_facts(const mpm::Result& result) {
-  const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
+std::vector<Fact> failure_facts(const mpm::Result& result) {
+  return {{"Failures in tension", grouped(result.tension_failures), "points"},
+          {"Failures in shear", grouped(result.shear_failures), "points"}};
+}
+
+std::vector<Fact> strength_facts(const mpm::Result& result, const mpm::HistoryRow& end) {
+  const StrainUnit unit = strain_unit(result);
   return {{"Peak stress", rounded(1e-6 * result.peak_stress), "MPa"},
-          {"Strain at the peak", rounded(1e6 * result.peak_strain), "microstrain"},
+          {"Strain at the peak", rounded(unit.per_strain * result.peak_strain), unit.name},
           {"Secant modulus at 40 %", rounded(1e-9 * secant_modulus(result)), "GPa"},
           {"Stress at the end", rounded(1e-6 * end.stress), "MPa"},
-          {"Strain at the end", rounded(1e6 * end.strain), "microstrain"},
-          {"Work of the platens", rounded(end.platen_work), "J/m"},
-          {"Failures in tension", grouped(result.tension_failures), "points"},
-          {"Failures in shear", grouped(result.shear_failures), "points"}};
+          {"Strain at the end", rounded(unit.per_strain * end.strain), unit.name},
+          {"Work of the platens", rounded(end.platen_work), "J/m"}};
+}
+
+std::vector<Fact> flight_facts(const mpm::Result& result, const mpm::HistoryRow& end) {
+  const StrainUnit unit = strain_unit(result);
+  const double at_start = result.history.empty() ? 0 : result.history.front().kinetic;
+  return {{"Peak stress on the walls", rounded(1e-6 * result.peak_stress), "MPa"},
+          {"Nominal strain at the peak", rounded(unit.per_strain * result.peak_strain), unit.name},
+          {"Time at the end", rounded(1e3 * end.time), "ms"},
+          {"Kinetic energy at the start", rounded(at_start), "J/m"},
+          {"Kinetic energy at the end", rounded(end.kinetic), "J/m"}};
+}
+
+/// Row of the history from which on points move; nullptr = they never do.
+const mpm::HistoryRow* first_row_in_motion(const mpm::Result& result) {
+  const auto moves = [](const mpm::HistoryRow& row) { return row.moving_points > 0; };
+  const auto row = std::find_if(result.history.begin(), result.history.end(), moves);
+  return row == result.history.end() ? nullptr : &*row;
+}
+
+/// What moving points add to the figures of a run.
+std::vector<Fact> motion_facts(const RunRecord& record, const mpm::HistoryRow& end) {
+  std::vector<Fact> facts;
+  const StrainUnit unit = strain_unit(record.result);
+  const mpm::HistoryRow* row = first_row_in_motion(record.result);
+  if (record.scene.kinematics == mpm::Kinematics::automatic)
+    facts.push_back(row == nullptr
+                        ? Fact{"Points move", "never"}
+                        : Fact{"Points move from", rounded(unit.per_strain * row->strain), unit.name});
+  if (end.left_points > 0) facts.push_back({"Have left the grid", grouped(end.left_points), "points"});
+  return facts;
+}
+
+std::vector<Fact> run_facts(const RunRecord& record) {
+  const mpm::Result& result = record.result;
+  const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
+  std::vector<Fact> facts =
+      has_platens(record.scene) ? strength_facts(result, end) : flight_facts(result, end);
+  for (const std::vector<Fact>& more : {failure_facts(result), motion_facts(record, end)})
+    facts.insert(facts.end(), more.begin(), more.end());
+  return facts;
 }
 
 /// Diameters of the circles of the same area.
@@ -105,8 +150,9 @@ std::vector<Fact> solution_facts(const RunRecord& record) {
           {"Time step", rounded(1e9 * result.dt), "ns"},
           {"Time of the loop", rounded(result.wall_time), "s"},
           {"Speed", rounded(1e-6 * result.point_updates_per_second()), "million points/s"},
-          {"Largest energy imbalance", rounded(100 * result.energy_error, 2), "% of the work"},
-          {"Threads", grouped(record.scene.threads), "threads"}};
+          {"Largest energy imbalance", rounded(100 * result.energy_error, 2),
+           has_platens(record.scene) ? "% of the work" : "% of the start"},
+          {"Threads", grouped(record.scene.threads), record.scene.threads == 1 ? "thread" : "threads"}};
 }
 
 std::vector<Fact> provenance_facts(const RunRecord& record) {
@@ -114,6 +160,7 @@ std::vector<Fact> provenance_facts(const RunRecord& record) {
   std::vector<Fact> facts{
       {"Ended because", phrase_of(record.result.stop)},
       {"Program", "mesopix " + version()},
+      {"Kinematics", name_of_kinematics(record.scene)},
       {"Arithmetic", word_of(record.scene.precision) + " precision, " + record.result.instruction_set},
       {"Specimen", provenance.source}};
   if (!provenance.version.empty()) facts.push_back({"Specimen made by", "mesopix " + provenance.version});
@@ -128,16 +175,15 @@ std::vector<Fact> provenance_facts(const RunRecord& record) {
 
 std::string title_of(const RunRecord& record) {
   if (!record.title.empty()) return record.title;
-  return capitalised(word_of(record.scene.loading.direction)) + " of a specimen of " +
+  return capitalised(name_of_loading(record.scene)) + " of a specimen of " +
          size_in_mm(record.specimen.mask) + " mm";
 }
 
 std::string header_html(const RunRecord& record) {
   const mpm::Scene& scene = record.scene;
-  const std::string setting = fmt::format(
-      "{} at {} m/s, {} platens, {}; {} mm, {} pixels", capitalised(word_of(scene.loading.direction)),
-      trimmed(scene.loading.velocity), word_of(scene.loading.platen), word_of(scene.plane),
-      size_in_mm(record.specimen.mask), size_in_pixels(record.specimen.mask));
+  const std::string setting =
+      fmt::format("{}, {}; {} mm, {} pixels", capitalised(setting_of_loading(scene)), word_of(scene.plane),
+                  size_in_mm(record.specimen.mask), size_in_pixels(record.specimen.mask));
   return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n</header>\n",
                      escape(title_of(record)), escape(setting));
 }
@@ -152,12 +198,8 @@ std::string notes_section(const RunRecord& record) {
 std::string curve_section(const RunRecord& record) {
   return section(
       "Stress and strain",
-      side_by_side("lead",
-                   chart_figure(stress_chart(record), 590, 400,
-                                "Stress is the mean of the reactions of both platens over the width; "
-                                "strain is the displacement of the platens over the height. The secant "
-                                "modulus is that where the stress first reaches 40 % of its peak."),
-                   facts_table(strength_facts(record.result))));
+      side_by_side("lead", chart_figure(stress_chart(record), 590, 400, meaning_of_curve(record.scene)),
+                   facts_table(run_facts(record))));
 }
 
 std::string specimen_section(const RunRecord& record) {
@@ -168,11 +210,7 @@ std::string specimen_section(const RunRecord& record) {
 std::string ledger_section(const RunRecord& record) {
   return section(
       "Energies and failures",
-      side_by_side("even",
-                   chart_figure(energy_chart(record), 480, 330,
-                                std::string("The work that the platens put in is stored, set free by failing "
-                                            "points, or moves the specimen") +
-                                    (record.scene.local_damping > 0 ? ", or is damped away." : ".")),
+      side_by_side("even", chart_figure(energy_chart(record), 480, 330, meaning_of_energy(record.scene)),
                    chart_figure(failure_chart(record), 480, 330, "Points that have failed so far.")) +
           failure_table_html(record));
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "apps/output/load_words.hpp"
+#include "apps/output/run_words.hpp"
+#include "apps/output/strain_unit.hpp"
 #include "apps/output/text.hpp"
 
 namespace output {
@@ -16,50 +19,64 @@ std::vector<double> column(const std::vector<HistoryRow>& history, Value value) 
   return values;
 }
 
-Axis strain_axis() { return {"Platen strain", "microstrain"}; }
+Axis strain_axis(const RunRecord& record) {
+  return {capitalised(name_of_strain(record.scene)), strain_unit(record.result).name};
+}
 
 template <class Value>
 Series against_strain(const RunRecord& record, const std::string& name, Ink ink, Value value,
                       bool dashed = false) {
   const auto& history = record.result.history;
-  return {name, column(history, [](const HistoryRow& row) { return 1e6 * row.strain; }),
+  const double per_strain = strain_unit(record.result).per_strain;
+  return {name, column(history, [per_strain](const HistoryRow& row) { return per_strain * row.strain; }),
           column(history, value), ink, dashed};
 }
 
-std::string loading_word(const RunRecord& record) {
-  return record.scene.loading.direction == mpm::Direction::tension ? "tension" : "compression";
+std::string peak_text(const mpm::Result& result, const StrainUnit& unit) {
+  return "peak " + rounded(1e-6 * result.peak_stress) + " MPa at " +
+         rounded(unit.per_strain * result.peak_strain) + " " + unit.name;
 }
 
 }  // namespace
 
 Chart stress_chart(const RunRecord& record) {
   const mpm::Result& result = record.result;
-  Chart chart{"Stress against strain in " + loading_word(record), strain_axis(), {"Stress", "MPa"}, {}, {}};
+  const StrainUnit unit = strain_unit(result);
+  Chart chart{"Stress against strain in " + name_of_loading(record.scene),
+              strain_axis(record),
+              {capitalised(name_of_stress(record.scene)), "MPa"},
+              {},
+              {}};
   chart.series.push_back(
       against_strain(record, "stress", Ink::first, [](const HistoryRow& row) { return 1e-6 * row.stress; }));
   if (result.peak_stress > 0)
-    chart.markers.push_back({1e6 * result.peak_strain, 1e-6 * result.peak_stress,
-                             "peak " + rounded(1e-6 * result.peak_stress) + " MPa at " +
-                                 rounded(1e6 * result.peak_strain) + " microstrain"});
+    chart.markers.push_back(
+        {unit.per_strain * result.peak_strain, 1e-6 * result.peak_stress, peak_text(result, unit)});
   return chart;
 }
 
 Chart energy_chart(const RunRecord& record) {
-  Chart chart{"Energies against strain", strain_axis(), {"Energy per metre of thickness", "J/m"}, {}, {}};
-  const auto add = [&](const std::string& name, Ink ink, double HistoryRow::*member, bool dashed = false) {
-    chart.series.push_back(against_strain(
-        record, name, ink, [member](const HistoryRow& row) { return row.*member; }, dashed));
+  Chart chart{
+      "Energies against strain", strain_axis(record), {"Energy per metre of thickness", "J/m"}, {}, {}};
+  const auto add = [&](const std::string& name, Ink ink, double HistoryRow::*member) {
+    chart.series.push_back(
+        against_strain(record, name, ink, [member](const HistoryRow& row) { return row.*member; }));
   };
-  add("work put in", Ink::text, &HistoryRow::platen_work, true);
+  const auto& history = record.result.history;
+  const double at_start = history.empty() ? 0 : history.front().kinetic;
+  chart.series.push_back(against_strain(
+      record, has_platens(record.scene) ? "work put in" : "at the start", Ink::text,
+      [at_start](const HistoryRow& row) { return at_start + row.platen_work; }, true));
   add("elastic", Ink::first, &HistoryRow::elastic);
   add("released", Ink::second, &HistoryRow::released);
   add("kinetic", Ink::third, &HistoryRow::kinetic);
   if (record.scene.local_damping > 0) add("damped", Ink::fourth, &HistoryRow::damped);
+  if (!history.empty() && history.back().left_points > 0) add("left", Ink::fifth, &HistoryRow::left);
   return chart;
 }
 
 Chart failure_chart(const RunRecord& record) {
-  Chart chart{"Failed points against strain", strain_axis(), {"Failed points", ""}, {}, {}};
+  Chart chart{"Failed points against strain", strain_axis(record), {"Failed points", ""}, {}, {}};
   const auto add = [&](const std::string& name, Ink ink, std::int64_t HistoryRow::*member) {
     chart.series.push_back(against_strain(
         record, name, ink, [member](const HistoryRow& row) { return static_cast<double>(row.*member); }));

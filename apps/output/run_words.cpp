@@ -3,7 +3,15 @@
 namespace output {
 
 std::string word_of(mpm::Direction direction) {
-  return direction == mpm::Direction::tension ? "tension" : "compression";
+  switch (direction) {
+    case mpm::Direction::tension:
+      return "tension";
+    case mpm::Direction::compression:
+      return "compression";
+    case mpm::Direction::none:
+      return "none";
+  }
+  return {};
 }
 
 std::string word_of(mpm::Platen platen) { return platen == mpm::Platen::smooth ? "smooth" : "rough"; }
@@ -24,6 +32,18 @@ std::string word_of(mpm::CrackClosure law) {
       return "clipped";
     case mpm::CrackClosure::unilateral:
       return "unilateral";
+  }
+  return {};
+}
+
+std::string word_of(mpm::Kinematics kinematics) {
+  switch (kinematics) {
+    case mpm::Kinematics::small_strain:
+      return "small_strain";
+    case mpm::Kinematics::moving:
+      return "moving";
+    case mpm::Kinematics::automatic:
+      return "auto";
   }
   return {};
 }

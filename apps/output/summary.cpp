@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/output/damage_stages.hpp"
+#include "apps/output/deformed_picture.hpp"
 #include "apps/output/failure_table.hpp"
 #include "apps/output/key_figures.hpp"
 #include "apps/output/run_words.hpp"
@@ -52,10 +53,20 @@ json specimen_of(const specimen::Specimen& specimen) {
           {"seed", specimen.provenance.seed}};
 }
 
+/// Between platens, or in flight.
+json loading_of(const mpm::Loading& loading) {
+  if (loading.direction == mpm::Direction::none)
+    return {{"direction", output::word_of(loading.direction)},
+            {"initial_velocity_x_m_per_s", loading.initial_velocity_x},
+            {"initial_velocity_y_m_per_s", loading.initial_velocity_y}};
+  return {{"direction", output::word_of(loading.direction)},
+          {"platen", output::word_of(loading.platen)},
+          {"separation", loading.separation},
+          {"velocity_m_per_s", loading.velocity}};
+}
+
 json setting_of(const mpm::Scene& scene) {
-  return {{"direction", output::word_of(scene.loading.direction)},
-          {"platen", output::word_of(scene.loading.platen)},
-          {"velocity_m_per_s", scene.loading.velocity},
+  return {{"kinematics", output::word_of(scene.kinematics)},
           {"plane", output::word_of(scene.plane)},
           {"seed", scene.damage.seed},
           {"crack_closure", output::word_of(scene.damage.crack_closure)},
@@ -70,6 +81,9 @@ json figures_of(const mpm::Result& result) {
           {"secant_modulus_Pa", output::secant_modulus(result)},
           {"end_strain", end.strain},
           {"end_stress_Pa", end.stress},
+          {"end_time_s", end.time},
+          {"moving_points", end.moving_points},
+          {"left_points", end.left_points},
           {"tension_failures", result.tension_failures},
           {"shear_failures", result.shear_failures},
           {"points", result.points},
@@ -87,9 +101,13 @@ json figures_of(const mpm::Result& result) {
 json summary(const RunRecord& record) {
   json all = figures_of(record.result);
   all.update(setting_of(record.scene));
+  all.update(loading_of(record.scene.loading));
   all["specimen"] = specimen_of(record.specimen);
   all["failures_by_phase"] = failures_of(record);
   all["damage_pictures"] = pictures_of(record.result);
+  if (output::has_end(record.result))
+    all["end_picture"] = {{"file", output::deformed_name(false)},
+                          {"colour_file", output::deformed_name(true)}};
   all["notes"] = output::all_notes(record);
   all["title"] = record.title;
   all["scene_hash"] = record.scene_hash;

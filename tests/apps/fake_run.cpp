@@ -187,6 +187,36 @@ FakeRun compression_run(int pixels) {
   return run;
 }
 
+FakeRun impact_run(int pixels) {
+  FakeRun run = run_of(pixels, 12.5e6, 0.02, 0.04, 0.1);
+  run.scene.kinematics = mpm::Kinematics::moving;
+  run.scene.loading.direction = mpm::Direction::none;
+  run.scene.loading.initial_velocity_x = 9;
+  run.scene.loading.initial_velocity_y = -12;
+  run.scene.loading.duration = 4e-4;
+  run.scene.motion.bottom = mpm::Edge::rough_wall;
+  mpm::Result& result = run.result;
+  result.stop = mpm::StopReason::time;
+  const double energy = result.history.back().platen_work;
+  for (mpm::HistoryRow& row : result.history) {
+    row.time = row.strain * side / 15;
+    row.kinetic = energy - row.elastic - row.released;
+    row.platen_work = 0;
+    row.moving_points = result.points - pixels;
+    row.left_points = pixels;
+    row.left = 0.01 * energy;
+  }
+  result.end_x.setConstant(pixels, pixels, intact);
+  result.end_y = result.end_x;
+  for (int row = 0; row < pixels; ++row)
+    for (int col = 1; col < pixels; ++col) {
+      const specimen::Point p = run.specimen.mask.centre(row, col);
+      result.end_x(row, col) = static_cast<float>(p.x);
+      result.end_y(row, col) = static_cast<float>(p.y + (p.y > crack_height(p.x) ? 0.030 : 0.020));
+    }
+  return run;
+}
+
 FakeRun still_run(const std::vector<std::string>& rows) {
   FakeRun run;
   const auto n_rows = static_cast<int>(rows.size());

@@ -20,5 +20,9 @@ struct FakeRun {
 /// A mask of given rows of digits (labels), pixels of 1 mm, nothing failed, no history.
 [[nodiscard]] FakeRun still_run(const std::vector<std::string>& rows);
 
+/// A flight at 15 m/s against a rough wall at the bottom, after which everything is 20 mm higher up and the
+/// half above the crack 10 mm more; points of the first column have left.
+[[nodiscard]] FakeRun impact_run(int pixels);
+
 /// The same under compression with crack closure: shear failures, crushed points, extra ITZ points.
 [[nodiscard]] FakeRun compression_run(int pixels);

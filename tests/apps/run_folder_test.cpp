@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "apps/output/damage_picture.hpp"
+#include "apps/output/deformed_picture.hpp"
 #include "apps/output/picture_scale.hpp"
 #include "libmpm/error.hpp"
 #include "libmpm/result_file.hpp"
@@ -103,6 +104,18 @@ TEST_F(RunFolder, LeavesNoPictureOfAnEarlierRunBehind) {
   EXPECT_FALSE(names().contains("damage_150_colour.png"));
   EXPECT_TRUE(names().contains("damage_050.png"));
   EXPECT_TRUE(names().contains("damage_notes.txt"));
+}
+
+TEST_F(RunFolder, HoldsTheEndOfMovingPointsAndNoneOfAnEarlierRun) {
+  const FakeRun moving = impact_run(30);
+  write_run(folder_, moving.record());
+  for (const auto& [name, palette] : {std::pair{"deformed.png", output::grey_palette()},
+                                      std::pair{"deformed_colour.png", output::colour_palette()}})
+    EXPECT_EQ(picture(name), output::deformed_picture(moving.specimen.mask, moving.result, palette, 20));
+  const FakeRun still = tension_run(30);
+  write_run(folder_, still.record());
+  EXPECT_FALSE(names().contains("deformed.png"));
+  EXPECT_FALSE(names().contains("deformed_colour.png"));
 }
 
 TEST_F(RunFolder, WritesTheSameBytesForTheSameRun) {

@@ -109,6 +109,16 @@ TEST(BuildScene, RefusesAnEdgeAtWhichThePlatenTouchesNothing) {
   EXPECT_EQ(complaint_about(specimen_of({"00", "02", "20", "00"}), {}), "accepted");
 }
 
+TEST(BuildScene, LetsASpecimenWithoutPlatensFlyAnywhereButNotRest) {
+  app::Settings settings;
+  settings.scene.loading.direction = mpm::Direction::none;
+  EXPECT_EQ(complaint_about(specimen_of({"00", "00", "22", "22"}), settings),
+            "loading.initial_velocity_y: 0 m/s; without platens a specimen at rest stays at rest; give "
+            "loading.initial_velocity_x or loading.initial_velocity_y");
+  settings.scene.loading.initial_velocity_x = -20;
+  EXPECT_EQ(complaint_about(specimen_of({"00", "00", "22", "22"}), settings), "accepted");
+}
+
 TEST(CropToCells, CutsAtTheTopAndAtTheRight) {
   specimen::Specimen specimen = specimen_of({"333", "122", "212"});
   const auto notes = app::crop_to_cells(specimen, 2);

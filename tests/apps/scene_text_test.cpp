@@ -56,6 +56,43 @@ TEST(SceneText, ReadsBackToTheSameSettings) {
   expect_same(there_and_back(settings, "out"), settings);
 }
 
+app::Settings flying_settings() {
+  app::Settings settings;
+  mpm::Scene& scene = settings.scene;
+  scene.kinematics = mpm::Kinematics::moving;
+  scene.loading.direction = mpm::Direction::none;
+  scene.loading.initial_velocity_x = 1.0 / 3;
+  scene.loading.initial_velocity_y = -20.5;
+  scene.loading.duration = 1e-3 / 7;
+  scene.motion.shape = mpm::Shape::bspline;
+  scene.motion.scheme = mpm::Scheme::usf;
+  scene.motion.transfer = mpm::Transfer::apic;
+  scene.motion.margin = 0;
+  scene.motion.left = mpm::Edge::symmetry;
+  scene.motion.right = mpm::Edge::open;
+  scene.motion.bottom = mpm::Edge::smooth_wall;
+  scene.motion.top = mpm::Edge::rough_wall;
+  return settings;
+}
+
+app::Settings handed_over_settings() {
+  app::Settings settings;
+  mpm::Scene& scene = settings.scene;
+  scene.kinematics = mpm::Kinematics::automatic;
+  scene.loading.direction = mpm::Direction::compression;
+  scene.loading.separation = true;
+  scene.motion.flip_ratio = 0.99;
+  scene.motion.margin = 0.1 / 3;
+  scene.handover.strain = 0.1 / 7;
+  scene.handover.displacement = 0.3;
+  return settings;
+}
+
+TEST(SceneText, KeepsEverySettingOfMovingPoints) {
+  for (const app::Settings& settings : {flying_settings(), handed_over_settings()})
+    expect_same(there_and_back(settings, "out"), settings);
+}
+
 TEST(SceneText, IsTheSameWhenWrittenAgain) {
   const app::Settings settings = unusual_settings();
   EXPECT_EQ(app::scene_text(settings, app::Extent::whole, "out"),

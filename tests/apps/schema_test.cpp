@@ -39,6 +39,11 @@ std::vector<Value> trial_values() {
           text("baseline"),
           text("single"),
           text("compression"),
+          text("moving"),
+          text("linear"),
+          text("usl"),
+          text("apic"),
+          text("open"),
           text("some words"),
           {List{text("5 mm .. 9 mm: 1")}},
           {List{text("3: mortar")}},
@@ -109,7 +114,9 @@ TEST(Schema, KeysAreUniqueAndBelongToAGroup) {
 
 TEST(Schema, ShortOptionsOfASubcommandAreUnique) {
   const std::vector<std::vector<std::string>> subcommands{
-      {"specimen", "generate", "itz"}, {"convert", "itz"}, {"loading", "damage", "solver", "output"}};
+      {"specimen", "generate", "itz"},
+      {"convert", "itz"},
+      {"loading", "damage", "solver", "motion", "handover", "output"}};
   for (const auto& own : subcommands) {
     std::set<std::string> options{"help",  "set",       "output",    "json",
                                   "quiet", "overwrite", "reference", "print-scene"};
@@ -155,8 +162,8 @@ TEST(SuggestKey, FindsWhatWasMeant) {
   EXPECT_EQ(app::suggest_key("damage.quux", settings),
             "damage has seed, crack_closure and residual_stiffness");
   EXPECT_EQ(app::suggest_key("quux", settings),
-            "the tables of a scene are specimen, generate, convert, itz, phases, loading, damage, solver and "
-            "output");
+            "the tables of a scene are specimen, generate, convert, itz, phases, loading, damage, solver, "
+            "motion, handover and output");
 }
 
 TEST(WhyUnused, DependsOnTheSource) {
@@ -175,6 +182,55 @@ TEST(WhyUnused, DependsOnTheSource) {
   settings.specimen.file = "a.h5";
   EXPECT_EQ(app::why_unused("itz.mode", settings), "has no effect on a specimen that is read from a file");
   EXPECT_EQ(app::why_unused("loading.velocity", settings), "");
+}
+
+TEST(WhyUnused, DependsOnTheKinematics) {
+  Settings settings;
+  const char* moving_only = "has an effect with solver.kinematics = \"moving\" or \"auto\" only";
+  const char* auto_only = "has an effect with solver.kinematics = \"auto\" only";
+  settings.scene.loading.direction = mpm::Direction::compression;
+  for (const char* key : {"motion.shape", "motion.margin", "motion.left", "loading.separation"}) {
+    settings.scene.kinematics = mpm::Kinematics::small_strain;
+    EXPECT_EQ(app::why_unused(key, settings), moving_only) << key;
+    settings.scene.kinematics = mpm::Kinematics::moving;
+    EXPECT_EQ(app::why_unused(key, settings), "") << key;
+    settings.scene.kinematics = mpm::Kinematics::automatic;
+    EXPECT_EQ(app::why_unused(key, settings), "") << key;
+  }
+  EXPECT_EQ(app::why_unused("handover.strain", settings), "");
+  settings.scene.kinematics = mpm::Kinematics::moving;
+  EXPECT_EQ(app::why_unused("handover.strain", settings), auto_only);
+  settings.scene.motion.transfer = mpm::Transfer::apic;
+  EXPECT_EQ(app::why_unused("motion.flip_ratio", settings), "has no effect with motion.transfer = \"apic\"");
+}
+
+TEST(WhyUnused, DependsOnThePlatens) {
+  Settings settings;
+  settings.scene.kinematics = mpm::Kinematics::moving;
+  const std::vector<std::string> of_platens{"loading.velocity", "loading.platen", "loading.separation",
+                                            "loading.ramp_time", "loading.stop_strain"};
+  const std::vector<std::string> of_flight{"loading.initial_velocity_x", "loading.initial_velocity_y",
+                                           "loading.duration", "motion.bottom", "motion.top"};
+  for (const std::string& key : of_platens) EXPECT_EQ(app::why_unused(key, settings), "") << key;
+  for (const std::string& key : of_flight)
+    EXPECT_EQ(app::why_unused(key, settings), "has an effect with loading.direction = \"none\" only") << key;
+  settings.scene.loading.direction = mpm::Direction::none;
+  for (const std::string& key : of_flight) EXPECT_EQ(app::why_unused(key, settings), "") << key;
+  for (const std::string& key : of_platens)
+    EXPECT_EQ(app::why_unused(key, settings), "has no effect with loading.direction = \"none\"") << key;
+}
+
+TEST(WhyUnused, LooksForAnEdgeThatTheGridReachesBeyond) {
+  Settings settings;
+  settings.scene.kinematics = mpm::Kinematics::moving;
+  settings.scene.motion.left = settings.scene.motion.right = mpm::Edge::smooth_wall;
+  EXPECT_EQ(app::why_unused("motion.margin", settings), "has no effect where no edge is closed or open");
+  settings.scene.loading.direction = mpm::Direction::none;
+  EXPECT_EQ(app::why_unused("motion.margin", settings), "");
+  settings.scene.motion.bottom = settings.scene.motion.top = mpm::Edge::symmetry;
+  EXPECT_EQ(app::why_unused("motion.margin", settings), "has no effect where no edge is closed or open");
+  settings.scene.motion.right = mpm::Edge::open;
+  EXPECT_EQ(app::why_unused("motion.margin", settings), "");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Writes the folder of a run that was never computed, for the check of its page and for the eye:
-//   write_sample_run FOLDER [tension|compression|short|hostile] [PIXELS]
+//   write_sample_run FOLDER [tension|compression|impact|short|hostile] [PIXELS]
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -11,10 +11,11 @@ int main(int argc, char** argv) {
   if (argc < 2) return 64;
   const std::string kind = argc > 2 ? argv[2] : "tension";
   const int pixels = argc > 3 ? std::atoi(argv[3]) : 300;
-  const FakeRun run =
-      kind == "compression" ? compression_run(pixels) : tension_run(pixels, kind == "short" ? 20 : 280);
+  const FakeRun run = kind == "compression" ? compression_run(pixels)
+                      : kind == "impact"    ? impact_run(pixels)
+                                            : tension_run(pixels, kind == "short" ? 20 : 280);
   RunRecord record = run.record();
-  if (kind == "compression") record.title = "";
+  if (kind == "compression" || kind == "impact") record.title = "";
   if (kind == "hostile") {
     record.title = "</script><script>alert(1)</script>";
     record.scene_toml = "</pre></details><img src=x onerror=alert(1)> & \x01 \xff\xfe";

@@ -89,6 +89,47 @@ TEST(Report, TellsOfClosureAndExtraPoints) {
   EXPECT_THAT(page, HasSubstr("Extra points</th><td>2628</td><td>700</td>"));
 }
 
+TEST(Report, ShowsTheSpecimenAtTheEndWhereItsPointsMove) {
+  const FakeRun run = impact_run(60);
+  const std::string page = report_html(run.record());
+  EXPECT_EQ(count(page, "<img "), 2U * 6 + 1 + 2);
+  EXPECT_EQ(count(page, "alt=\"The specimen at the end\""), 2U);
+  EXPECT_THAT(report_html(tension_run(60).record()), Not(HasSubstr("At the end")));
+}
+
+TEST(Report, ShowsTheEndEvenWhereThereIsNoPeak) {
+  FakeRun run = still_run({"12", "32"});
+  run.result.end_x.setConstant(2, 2, 1e-3F);
+  run.result.end_y = run.result.end_x;
+  const std::string page = report_html(run.record());
+  EXPECT_THAT(page, HasSubstr("no picture of damage was drawn"));
+  EXPECT_THAT(page, HasSubstr("At the end"));
+}
+
+TEST(Report, TellsOfAnImpactWithoutPlatens) {
+  const FakeRun run = impact_run(60);
+  RunRecord record = run.record();
+  record.title = "";
+  const std::string page = report_html(record);
+  EXPECT_THAT(page, HasSubstr("<h1>Impact of a specimen of 150 × 150 mm</h1>"));
+  EXPECT_THAT(page, HasSubstr("Impact at 15 m/s, rough wall at the bottom, plane strain"));
+  EXPECT_THAT(page, HasSubstr("Peak stress on the walls</th><td>12.5</td><td class=\"unit\">MPa"));
+  EXPECT_THAT(page, HasSubstr("Nominal strain at the peak</th><td>2.00</td><td class=\"unit\">%"));
+  EXPECT_THAT(page, HasSubstr("Have left the grid</th><td>60</td>"));
+  EXPECT_THAT(page, HasSubstr("moving points (GIMP, MUSL, FLIP)"));
+  EXPECT_THAT(page, Not(HasSubstr("Work of the platens")));
+  EXPECT_THAT(page, Not(HasSubstr("Platen strain")));
+}
+
+TEST(Report, TellsWhenPointsBeganToMove) {
+  FakeRun run = tension_run(30);
+  EXPECT_THAT(report_html(run.record()), Not(HasSubstr("Points move")));
+  run.scene.kinematics = mpm::Kinematics::automatic;
+  EXPECT_THAT(report_html(run.record()), HasSubstr("Points move</th><td colspan=\"2\">never"));
+  for (std::size_t i = 200; i < run.result.history.size(); ++i) run.result.history[i].moving_points = 900;
+  EXPECT_THAT(report_html(run.record()), HasSubstr("Points move from</th><td>202</td>"));
+}
+
 TEST(Report, StaysBelowTwoMegabytes) {
   const FakeRun run = tension_run(300);
   EXPECT_LT(report_html(run.record()).size(), 2'000'000U);

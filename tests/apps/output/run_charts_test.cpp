@@ -43,6 +43,24 @@ TEST(EnergyChart, HoldsTheLedger) {
   EXPECT_DOUBLE_EQ(chart.series[3].y[200], row.kinetic);
 }
 
+TEST(StressChart, IsInPercentWhereStrainsAreLargeAndNominalWithoutPlatens) {
+  const FakeRun run = impact_run(30);
+  const Chart chart = stress_chart(run.record());
+  EXPECT_EQ(chart.x.label, "Nominal strain");
+  EXPECT_EQ(chart.x.unit, "%");
+  EXPECT_EQ(chart.y.label, "Stress on the walls");
+  EXPECT_DOUBLE_EQ(chart.series[0].x[100], 100 * run.result.history[100].strain);
+  EXPECT_EQ(chart.markers[0].text, "peak 12.5 MPa at 2.00 %");
+}
+
+TEST(EnergyChart, BeginsWithTheEnergyOfTheFlight) {
+  const FakeRun run = impact_run(30);
+  const Chart chart = energy_chart(run.record());
+  EXPECT_EQ(chart.series[0].name, "at the start");
+  EXPECT_DOUBLE_EQ(chart.series[0].y.back(), run.result.history.front().kinetic);
+  EXPECT_EQ(chart.series.back().name, "left");
+}
+
 TEST(FailureChart, CountsBothModes) {
   const FakeRun run = tension_run(30);
   const Chart chart = failure_chart(run.record());

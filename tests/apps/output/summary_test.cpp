@@ -44,6 +44,22 @@ TEST(Summary, HoldsTheSettingAndTheSource) {
   EXPECT_EQ(figures["specimen"]["source"], "generated");
 }
 
+TEST(Summary, HoldsTheFlightInPlaceOfThePlatens) {
+  const FakeRun run = impact_run(30);
+  const json figures = summary(run.record());
+  EXPECT_EQ(figures["direction"], "none");
+  EXPECT_EQ(figures["kinematics"], "moving");
+  EXPECT_EQ(figures["initial_velocity_x_m_per_s"], 9);
+  EXPECT_EQ(figures["initial_velocity_y_m_per_s"], -12);
+  EXPECT_FALSE(figures.contains("platen"));
+  EXPECT_FALSE(figures.contains("velocity_m_per_s"));
+  EXPECT_EQ(figures["moving_points"], 870);
+  EXPECT_EQ(figures["left_points"], 30);
+  EXPECT_EQ(figures["stop_reason"], "time");
+  EXPECT_EQ(figures["end_picture"]["file"], "deformed.png");
+  EXPECT_FALSE(summary(tension_run(30).record()).contains("end_picture"));
+}
+
 TEST(Summary, SharesTheAreaAmongThePhases) {
   const FakeRun run = tension_run(30);
   const json shares = summary(run.record())["specimen"]["phase_fractions"];

@@ -1,0 +1,21 @@
+/// The unit in which strains are shown.
+#pragma once
+
+#include <string>
+
+#include "libmpm/result.hpp"
+
+namespace output {
+
+struct StrainUnit {
+  std::string name;   ///< "microstrain"
+  double per_strain;  ///< how many of it are a strain of 1
+};
+
+/// Percent from a strain of 1 % on, microstrain below.
+[[nodiscard]] StrainUnit strain_unit(double largest_strain);
+
+/// For all strains of a run: that of the largest one.
+[[nodiscard]] StrainUnit strain_unit(const mpm::Result& result);
+
+}  // namespace output
