@@ -62,11 +62,11 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   // Lighter nodes are rounding: they take part in nothing.
   least_mass_ = static_cast<Real>(1e-12 * lightest);
   // A point alone on a node of weight S swings with c / (h sqrt S), for which the step that suits a full cell
-  // is too long below S = cfl^2 / 4; four times that leaves room for several such nodes at a point. Where the stress follows the new velocity of the nodes (USL), lighter nodes strain
-  // the points with the velocity that they brought.
+  // is too long below S = cfl^2 / 4; four times that leaves room for several such nodes at a point. Where the
+  // stress follows the new velocity of the nodes (USL), lighter nodes answer to forces as if they had that
+  // mass.
   light_mass_ = static_cast<Real>(scene.cfl * scene.cfl * lightest);
-  slopes_from_straining_ =
-      scene.motion.transfer == Transfer::apic && scene.motion.shape == Shape::linear;
+  slopes_from_straining_ = scene.motion.transfer == Transfer::apic && scene.motion.shape == Shape::linear;
   step_.half_size = static_cast<Real>(plan.moving.half_size);
   step_.hx = static_cast<Real>(plan.cell_size);
   step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
@@ -186,17 +186,12 @@ void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, std::ba
   for (std::int64_t i = 0; i < steps; ++i) {
     if (index == 0) begin_step();
     barrier.arrive_and_wait();
-    switch (scene_.motion.scheme) {
-      case Scheme::usf:
-        step_usf(band, barrier);
-        break;
-      case Scheme::usl:
-        step_usl(band, barrier);
-        break;
-      case Scheme::musl:
-        step_musl(band, barrier);
-        break;
-    }
+    if (scene_.motion.scheme == Scheme::usf)
+      step_usf(band, barrier);
+    else if (plan_.moving.mapped_back)
+      step_musl(band, barrier);
+    else
+      step_usl(band, barrier);
     barrier.arrive_and_wait();
     if (index == 0) end_step();
     barrier.arrive_and_wait();

@@ -151,16 +151,16 @@ class MovingSolver {
   TileSums<Real> momentum_, force_;
   MovingPoints<Real> points_;
   moving::Step<Real> step_{};
-  std::vector<std::uint8_t> contact_;    ///< by node: which supports it touches
+  std::vector<std::uint8_t> contact_;   ///< by node: which supports it touches
   std::vector<Impulses> row_impulses_;  ///< by row of nodes, in this step
   std::vector<double> row_damped_;      ///< by row of nodes, in all [J/m]
   std::vector<std::int64_t> live_;      ///< points that carry load, by label
   std::vector<double> speeds_;          ///< of the compression wave, by label [m/s]
   Real least_mass_ = 0, light_mass_ = 0;
   bool slopes_from_straining_ = false;  ///< APIC takes its gradients from the straining velocity
-  int pinned_ = -1;         ///< column of the node that smooth platens hold; -1 = not chosen yet
-  double first_dt_ = 0;     ///< [s]
-  Real start_fastest_ = 0;  ///< largest square of a speed that the points were given [m^2/s^2]
+  int pinned_ = -1;                     ///< column of the node that smooth platens hold; -1 = not chosen yet
+  double first_dt_ = 0;                 ///< [s]
+  Real start_fastest_ = 0;              ///< largest square of a speed that the points were given [m^2/s^2]
   Clock clock_;
   Tally start_;  ///< what was there before the first step
   Tally sums_;

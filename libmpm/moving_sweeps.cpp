@@ -65,7 +65,8 @@ void MovingSolver<Real>::integrate_momentum(int node_row) {
   // The force at a platen is its reaction, not out of balance: damping would add to it.
   const bool at_platen = (node_row <= geometry_.before && supports_.bottom.active) ||
                          (node_row >= geometry_.cells_y + geometry_.before && supports_.top.active);
-  row_damped_[static_cast<std::size_t>(node_row)] += (at_platen ? integrate_undamped_ : sweeps_.integrate)(in);
+  row_damped_[static_cast<std::size_t>(node_row)] +=
+      (at_platen ? integrate_undamped_ : sweeps_.integrate)(in);
   hold(node_row);
 }
 
@@ -73,9 +74,9 @@ template <class Real>
 void MovingSolver<Real>::choose_straining_velocity(int node_row) {
   for (int col = 0; col < geometry_.nodes_x; ++col) {
     const std::size_t at = grid_.at(node_row, col);
-    const bool light = grid_.mass[at] < light_mass_;
-    grid_.strain_x[at] = light ? grid_.vx[at] : grid_.fresh_x[at];
-    grid_.strain_y[at] = light ? grid_.vy[at] : grid_.fresh_y[at];
+    const Real share = std::min(Real(1), grid_.mass[at] / light_mass_);
+    grid_.strain_x[at] = grid_.vx[at] + share * (grid_.fresh_x[at] - grid_.vx[at]);
+    grid_.strain_y[at] = grid_.vy[at] + share * (grid_.fresh_y[at] - grid_.vy[at]);
   }
   hold_straining_velocity(node_row);
 }
@@ -145,7 +146,7 @@ void MovingSolver<Real>::hold_node(int node_row, int col) {
   }
   if (at_right || col <= geometry_.before) {
     const Support& support = at_right ? supports_.right : supports_.left;
-    const auto across = 
+    const auto across =
         support.caught(grid_.vx[at], grid_.change_x[at], at_right ? 1 : -1, (touched & touches_across) != 0);
     if (across) {
       contact_[at] |= touches_across;
@@ -174,8 +175,8 @@ void MovingSolver<Real>::hold_node(int node_row, int col) {
   }
 }
 
-/// The velocity that strains the points follows what the forces met: a node that a support still pushes must not
-/// take its own way there, or the stress that pushes would stay, and its energy come from nothing.
+/// The velocity that strains the points follows what the forces met: a node that a support still pushes must
+/// not take its own way there, or the stress that pushes would stay, and its energy come from nothing.
 template <class Real>
 void MovingSolver<Real>::hold_straining(int node_row, int col) {
   const std::size_t at = grid_.at(node_row, col);

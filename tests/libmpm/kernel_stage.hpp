@@ -87,8 +87,8 @@ struct Stage {
       point.id = static_cast<std::uint32_t>(i);
       point.values[mpm::moving::mass] = static_cast<Real>(0.5 + uniform());
       point.values[mpm::moving::volume] = static_cast<Real>(0.5 + uniform());
-      for (const int f : {mpm::moving::vx, mpm::moving::vy, mpm::moving::sxx, mpm::moving::syy,
-                          mpm::moving::sxy})
+      for (const int f :
+           {mpm::moving::vx, mpm::moving::vy, mpm::moving::sxx, mpm::moving::syy, mpm::moving::sxy})
         point.values[static_cast<std::size_t>(f)] = static_cast<Real>(2 * uniform() - 1);
       if (const int a = points.layout().affine; a >= 0)
         for (int k = 0; k < 4; ++k)

@@ -128,44 +128,45 @@ TYPED_TEST(MovingKernels, GatherIsExactForLinearFields) {
   for (const Method& method : samples::all_methods(0.5)) {
     if (method.scheme != mpm::Scheme::usf) continue;
     for (const bool folds : {false, true}) {
-    Stage<TypeParam> stage(method);
-    stage.folds = folds;
-    stage.scatter_anywhere(100);
-    std::map<std::uint32_t, std::array<double, 2>> before;
-    stage.for_each_node([&](int row, int col) {
-      const std::size_t at = stage.grid.at(row, col);
-      const double x = stage.node_x(col);
-      const double y = stage.node_y(row);
-      stage.grid.fresh_x[at] = static_cast<TypeParam>(1 + l[0] * x + l[1] * y);
-      stage.grid.fresh_y[at] = static_cast<TypeParam>(2 + l[2] * x + l[3] * y);
-      stage.grid.change_x[at] = static_cast<TypeParam>(0.5 - x);
-      stage.grid.change_y[at] = static_cast<TypeParam>(0.25 + y);
-    });
-    stage.for_each_point([&](const auto& slot) {
-      before[stage.points.id(slot)] = {stage.value(slot, mpm::moving::vx),
-                                       stage.value(slot, mpm::moving::vy)};
-    });
-    double fastest = 0;
-    for (int row = 0; row < stage.points.rows(); ++row)
-      fastest = std::max(fastest, static_cast<double>(stage.sweeps.gather_velocity(
-                                      stage.tiles(row), stage.step, stage.change(row), stage.fresh(row))));
-    double expected_fastest = 0;
-    stage.for_each_point([&](const auto& slot) {
-      const double x = stage.point_x(slot);
-      const double y = stage.point_y(slot);
-      const auto old = before[stage.points.id(slot)];
-      const double pic[2] = {1 + l[0] * x + l[1] * y, 2 + l[2] * x + l[3] * y};
-      const double flip[2] = {old[0] + 0.5 - x, old[1] + 0.25 + y};
-      const double r = method.transfer == mpm::Transfer::apic ? 0 : method.flip_ratio;
-      const double vx = stage.value(slot, mpm::moving::vx);
-      const double vy = stage.value(slot, mpm::moving::vy);
-      EXPECT_NEAR(vx, r * flip[0] + (1 - r) * pic[0], this->rounding) << method.name();
-      EXPECT_NEAR(vy, r * flip[1] + (1 - r) * pic[1], this->rounding) << method.name();
-      expected_fastest = std::max(expected_fastest, vx * vx + vy * vy);
-      const int a = stage.points.layout().affine;
-      for (int k = 0; a >= 0 && k < 4; ++k) EXPECT_NEAR(stage.value(slot, a + k), l[k], 20 * this->rounding);
-    });
-    EXPECT_NEAR(fastest, expected_fastest, 10 * this->rounding);
+      Stage<TypeParam> stage(method);
+      stage.folds = folds;
+      stage.scatter_anywhere(100);
+      std::map<std::uint32_t, std::array<double, 2>> before;
+      stage.for_each_node([&](int row, int col) {
+        const std::size_t at = stage.grid.at(row, col);
+        const double x = stage.node_x(col);
+        const double y = stage.node_y(row);
+        stage.grid.fresh_x[at] = static_cast<TypeParam>(1 + l[0] * x + l[1] * y);
+        stage.grid.fresh_y[at] = static_cast<TypeParam>(2 + l[2] * x + l[3] * y);
+        stage.grid.change_x[at] = static_cast<TypeParam>(0.5 - x);
+        stage.grid.change_y[at] = static_cast<TypeParam>(0.25 + y);
+      });
+      stage.for_each_point([&](const auto& slot) {
+        before[stage.points.id(slot)] = {stage.value(slot, mpm::moving::vx),
+                                         stage.value(slot, mpm::moving::vy)};
+      });
+      double fastest = 0;
+      for (int row = 0; row < stage.points.rows(); ++row)
+        fastest = std::max(fastest, static_cast<double>(stage.sweeps.gather_velocity(
+                                        stage.tiles(row), stage.step, stage.change(row), stage.fresh(row))));
+      double expected_fastest = 0;
+      stage.for_each_point([&](const auto& slot) {
+        const double x = stage.point_x(slot);
+        const double y = stage.point_y(slot);
+        const auto old = before[stage.points.id(slot)];
+        const double pic[2] = {1 + l[0] * x + l[1] * y, 2 + l[2] * x + l[3] * y};
+        const double flip[2] = {old[0] + 0.5 - x, old[1] + 0.25 + y};
+        const double r = method.transfer == mpm::Transfer::apic ? 0 : method.flip_ratio;
+        const double vx = stage.value(slot, mpm::moving::vx);
+        const double vy = stage.value(slot, mpm::moving::vy);
+        EXPECT_NEAR(vx, r * flip[0] + (1 - r) * pic[0], this->rounding) << method.name();
+        EXPECT_NEAR(vy, r * flip[1] + (1 - r) * pic[1], this->rounding) << method.name();
+        expected_fastest = std::max(expected_fastest, vx * vx + vy * vy);
+        const int a = stage.points.layout().affine;
+        for (int k = 0; a >= 0 && k < 4; ++k)
+          EXPECT_NEAR(stage.value(slot, a + k), l[k], 20 * this->rounding);
+      });
+      EXPECT_NEAR(fastest, expected_fastest, 10 * this->rounding);
     }
   }
 }
@@ -199,11 +200,18 @@ TYPED_TEST(MovingKernels, InstructionSetsAgreeToRounding) {
         ++points;
         const auto value = [&](int f) { return static_cast<double>(stage.value(slot, f)); };
         const int f = stage.points.layout().deformation;
-        const std::array<double, 12> now{
-            value(mpm::moving::xi),  value(mpm::moving::eta), value(mpm::moving::vx),
-            value(mpm::moving::vy),  value(mpm::moving::sxx), value(mpm::moving::syy),
-            value(mpm::moving::sxy), value(mpm::moving::volume), value(f), value(f + 1), value(f + 2),
-            value(f + 3)};
+        const std::array<double, 12> now{value(mpm::moving::xi),
+                                         value(mpm::moving::eta),
+                                         value(mpm::moving::vx),
+                                         value(mpm::moving::vy),
+                                         value(mpm::moving::sxx),
+                                         value(mpm::moving::syy),
+                                         value(mpm::moving::sxy),
+                                         value(mpm::moving::volume),
+                                         value(f),
+                                         value(f + 1),
+                                         value(f + 2),
+                                         value(f + 3)};
         const auto [at, first] = reference.try_emplace(stage.points.id(slot), now);
         if (first) return;
         for (std::size_t k = 0; k < now.size(); ++k)
@@ -214,9 +222,9 @@ TYPED_TEST(MovingKernels, InstructionSetsAgreeToRounding) {
   }
 }
 
-// Turned by nodes in rigid rotation, the stress turns with the material and keeps its invariants: Jaumann's rate,
-// its sign and its angle, tan(turn of a step) = spin. The volume grows by 1 + spin^2 in a step because points
-// move along tangents, which is second order in the step.
+// Turned by nodes in rigid rotation, the stress turns with the material and keeps its invariants: Jaumann's
+// rate, its sign and its angle, tan(turn of a step) = spin. The volume grows by 1 + spin^2 in a step because
+// points move along tangents, which is second order in the step.
 TYPED_TEST(MovingKernels, ATurnKeepsTheInvariantsOfTheStress) {
   for (const auto shape : samples::all_shapes()) {
     Stage<TypeParam> stage({shape});
@@ -251,8 +259,8 @@ TYPED_TEST(MovingKernels, ATurnKeepsTheInvariantsOfTheStress) {
   }
 }
 
-// At a support the quadratic shapes have no weight beyond it, stay complete, and give a point at the support the
-// motion of its node alone.
+// At a support the quadratic shapes have no weight beyond it, stay complete, and give a point at the support
+// the motion of its node alone.
 TYPED_TEST(MovingKernels, FoldedWeightsEndAtTheSupportAndStayComplete) {
   for (const auto shape : {mpm::Shape::gimp, mpm::Shape::bspline}) {
     for (const double x : {0.0, 0.01, 0.024, 0.03, 0.0499, 0.35, 0.66, 0.69, 0.7}) {
@@ -266,8 +274,8 @@ TYPED_TEST(MovingKernels, FoldedWeightsEndAtTheSupportAndStayComplete) {
         double w = 0, wx = 0, wy = 0, gx = 0, gy = 0;
         stage.for_each_node([&](int row, int col) {
           const double weight = stage.node_sum(stage.momentum, 3, 0, row, col);
-          const bool beyond = row == 0 || col == 0 || row == stage.geometry.nodes_y - 1 ||
-                              col == stage.geometry.nodes_x - 1;
+          const bool beyond =
+              row == 0 || col == 0 || row == stage.geometry.nodes_y - 1 || col == stage.geometry.nodes_x - 1;
           EXPECT_TRUE(!beyond || weight == 0);
           EXPECT_GE(weight, -this->rounding);
           w += weight;
