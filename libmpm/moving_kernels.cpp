@@ -114,11 +114,10 @@ MPM_INLINE BlockFolds<Real> folds_of(const TileRow<Real>& row, int block) {
     folds.upper = row.folds.upper;
     const int left = row.folds.left - block * lanes<Real>;
     const int right = row.folds.right - block * lanes<Real>;
-    for (int i = 0; i < lanes<Real>; ++i) {
-      folds.left[i] = i == left ? Real(1) : Real(0);
-      folds.right[i] = i == right ? Real(1) : Real(0);
-      folds.across |= i == left || i == right;
-    }
+    const auto is_here = [](int lane) { return lane >= 0 && lane < lanes<Real>; };
+    if (is_here(left)) folds.left[left] = 1;
+    if (is_here(right)) folds.right[right] = 1;
+    folds.across = is_here(left) || is_here(right);
   }
   return folds;
 }
