@@ -8,6 +8,7 @@
 
 #include "libmpm/error.hpp"
 #include "libmpm/instruction_set.hpp"
+#include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {
@@ -244,6 +245,20 @@ TEST(ExtraPoints, FailAndAreCounted) {
   EXPECT_EQ(result.tension_failures, 9);
   EXPECT_THAT(result.extra_failure_mode, testing::Each(static_cast<std::uint8_t>(mpm::FailureMode::tension)));
   EXPECT_LT(result.energy_error, 1e-11);
+}
+
+TEST(Flight, StressIsTheReactionOfTheWallThatIsHit) {
+  mpm::Scene scene = samples::soft_body(8, 8, 0.05);
+  scene.loading.initial_velocity_y = -1;
+  scene.loading.duration = 2e-3;
+  scene.motion.bottom = mpm::Edge::smooth_wall;
+  const mpm::Result result = mpm::simulate(scene);
+  EXPECT_GT(result.peak_stress, 0.5 * 1000 * 100 * 1);  // rho c v, the stress of the first wave
+  for (const mpm::HistoryRow& row : result.history) {
+    EXPECT_EQ(row.stress, row.stress_bottom);
+    EXPECT_EQ(row.stress_top, 0);
+  }
+  EXPECT_DOUBLE_EQ(result.history.back().strain, result.history.back().time * 1 / 0.4);
 }
 
 TEST(Stop, AtADropBelowThePeak) {
