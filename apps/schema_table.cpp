@@ -243,6 +243,8 @@ std::vector<Field> motion_fields() {
       field("motion.margin", Quantity{Dimension::length, at_least(0), Word{"auto", -1}},
             "of the grid beyond closed and open edges; auto = a quarter of the width",
             MEMBER(scene.motion.margin)),
+      field("motion.deformation_gradient", Boolean{}, "keep that of every point at the end in result.h5",
+            MEMBER(scene.motion.deformation_gradient)),
   };
 }
 

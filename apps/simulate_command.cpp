@@ -75,8 +75,8 @@ std::string less_dissipation(const mpm::Scene& scene) {
   const mpm::Motion& motion = scene.motion;
   if (motion.transfer == mpm::Transfer::apic || motion.flip_ratio < 1)
     return "motion.transfer = \"flip\" with motion.flip_ratio = 1 loses less";
-  if (motion.scheme != mpm::Scheme::usl) return "motion.scheme = \"usl\" loses less";
-  return "smaller pixels lose less";
+  if (motion.scheme == mpm::Scheme::usl) return "motion.scheme = \"musl\" or \"usf\" loses less";
+  return "a smaller solver.cfl loses less";
 }
 
 std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
@@ -127,7 +127,8 @@ void note_outcome(const Outcome& outcome, Job& job, Console& console) {
     job.notes.push_back(outcome.divergence);
   } else if (outcome.result.energy_error > tolerated_energy_error(job.scene)) {
     job.notes.push_back(energy_note(outcome.result, job.scene));
-    console.say("warning: " + job.notes.back());
+    const bool expected = job.scene.kinematics != mpm::Kinematics::small_strain;
+    console.say((expected ? "note: " : "warning: ") + job.notes.back());
   }
 }
 

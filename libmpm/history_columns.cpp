@@ -6,9 +6,13 @@ const std::array<HistoryColumn, 15>& history_columns() {
   using Row = HistoryRow;
   static const std::array<HistoryColumn, 15> columns{{
       {"time", "s", "time since the start", &Row::time},
-      {"strain", "1", "platen displacement over height, positive in the direction of the loading",
+      {"strain", "1",
+       "platen displacement over height, positive in the direction of the loading; without platens the way "
+       "of a free flight",
        &Row::strain},
-      {"stress", "Pa", "mean of the reactions of both platens over the width, positive as the strain",
+      {"stress", "Pa",
+       "mean of the reactions of both platens over the width, positive as the strain; without platens the "
+       "sum of those of the lower and the upper edge",
        &Row::stress},
       {"stress_top", "Pa", "reaction of the top platen over the width", &Row::stress_top},
       {"stress_bottom", "Pa", "reaction of the bottom platen over the width", &Row::stress_bottom},

@@ -13,9 +13,10 @@ namespace mpm {
 /// One row of the history. Stress and strain are positive in the direction of the loading. Energies are per
 /// metre of thickness [J/m].
 struct HistoryRow {
-  double time = 0;           ///< [s]
-  double strain = 0;         ///< platen displacement over height [-]
-  double stress = 0;         ///< mean of the reactions of both platens over the width [Pa]
+  double time = 0;    ///< [s]
+  double strain = 0;  ///< platen displacement over height [-]
+  double stress = 0;  ///< mean of the reactions of both platens, or their sum without platens, over the width
+                      ///< [Pa]
   double stress_top = 0;     ///< [Pa]
   double stress_bottom = 0;  ///< [Pa]
   double platen_work = 0;    ///< put in so far

@@ -54,8 +54,6 @@ void validate_platens(const Loading& loading) {
           "the direction is told by loading.direction");
   require(positive(loading.stop_strain) && loading.stop_strain < 1, "loading.stop_strain",
           text(loading.stop_strain, ""), "must lie in (0, 1)");
-  require(!loading.separation || loading.direction == Direction::compression, "loading.separation", "true",
-          "platens that pull would part from the specimen at once", "pull without it");
   const bool flies = loading.initial_velocity_x != 0 || loading.initial_velocity_y != 0;
   require(
       !flies, "loading.initial_velocity",

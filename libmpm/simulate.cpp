@@ -52,7 +52,8 @@ HistoryRow history_row(const Scene& scene, const Ledger& ledger) {
   row.strain = strain_of(scene, ledger);
   row.stress_top = sign * ledger.force_top / scene.width();
   row.stress_bottom = -sign * ledger.force_bottom / scene.width();
-  row.stress = 0.5 * (row.stress_top + row.stress_bottom);
+  const bool flies = scene.loading.direction == Direction::none;  // then one wall is hit at a time
+  row.stress = (flies ? 1.0 : 0.5) * (row.stress_top + row.stress_bottom);
   row.platen_work = ledger.platen_work;
   row.kinetic = ledger.kinetic;
   row.elastic = ledger.elastic;

@@ -108,11 +108,32 @@ if [ -e /dev/full ]; then
 fi
 
 # What lies in data/ is as its README says.
-for scene in two_aggregates concrete_tension concrete_compression; do expect 0 simulate "$data/$scene.toml" --print-scene; done
+for scene in "$data"/*.toml; do expect 0 simulate "$scene" --print-scene; done
 expect 0 generate --itz-mode none -o fresh.h5
 expect 0 convert fresh_preview.png -o fresh_labels.png
 expect 0 convert "$data/concrete.png" -o concrete_labels.png
 same fresh_labels.png concrete_labels.png
+
+cp "$data/concrete.png" .
+python3 "$data/cut_disc.py" concrete.png disc.png
+same disc.png "$data/disc.png"
+expect 0 simulate "$data/disc_impact.toml" -o impact --duration "20 us"
+has err "stress on the walls"
+expect 0 simulate "$data/brazilian.toml" -o brazilian --stop-strain 1e-5
+expect 0 simulate "$data/compression_fragments.toml" -o fragments --stop-strain 1e-4
+for run in impact brazilian fragments; do
+  has $run/report.html "moving points"
+  grep -q '"kinematics": "small_strain"' $run/summary.json && fail "$run is of small strain"
+done
+for run in impact brazilian; do for file in deformed.png deformed_colour.png; do exists $run/$file; done; done
+expect 64 simulate specimen.h5 --shape linear
+has err 'has an effect with solver.kinematics = "moving" or "auto" only'
+expect 0 simulate specimen.h5 -o flight -q --kinematics moving --direction none --initial-velocity-y "-3 m/s" \
+  --bottom smooth_wall --duration "20 us"
+expect 0 simulate flight/scene.toml -o flight_again -q
+same flight/curve.csv flight_again/curve.csv
+same flight/deformed.png flight_again/deformed.png
+same flight/scene.toml flight_again/scene.toml
 
 # Physics gone wrong ends with the exit code for bad data, and keeps what was computed.
 expect 65 simulate specimen.h5 --cfl 1 --local-damping 0.99 -o diverged

@@ -10,6 +10,7 @@
 #include "libmpm/error.hpp"
 #include "libmpm/instruction_set.hpp"
 #include "libmpm/plan.hpp"
+#include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {
@@ -300,6 +301,20 @@ TEST(ExtraPoints, OfVoidAreNotCounted) {
   scene.labels(0, 0) = 0;
   scene.extra_points = {{5e-3, 5e-3, 0}, {5e-3, 6e-3, samples::itz}};
   EXPECT_EQ(mpm::simulate(scene).points, 400);
+}
+
+TEST(Flight, StressIsTheReactionOfTheWallThatIsHit) {
+  mpm::Scene scene = samples::soft_body(8, 8, 0.05);
+  scene.loading.initial_velocity_y = -1;
+  scene.loading.duration = 2e-3;
+  scene.motion.bottom = mpm::Edge::smooth_wall;
+  const mpm::Result result = mpm::simulate(scene);
+  EXPECT_GT(result.peak_stress, 0.5 * 1000 * 100 * 1);  // rho c v, the stress of the first wave
+  for (const mpm::HistoryRow& row : result.history) {
+    EXPECT_EQ(row.stress, row.stress_bottom);
+    EXPECT_EQ(row.stress_top, 0);
+  }
+  EXPECT_DOUBLE_EQ(result.history.back().strain, result.history.back().time * 1 / 0.4);
 }
 
 TEST(Stop, AtADropBelowThePeak) {
