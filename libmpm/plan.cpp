@@ -67,8 +67,8 @@ MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, do
   plan.optional.deformation = motion.deformation_gradient;
   plan.optional.affine = motion.transfer == Transfer::apic;
   // What APIC maps back is what it mapped: only light nodes differ, and there USL is not stable.
-  plan.mapped_back = motion.scheme == Scheme::musl ||
-                     (motion.scheme == Scheme::usl && motion.transfer == Transfer::apic);
+  plan.mapped_back =
+      motion.scheme == Scheme::musl || (motion.scheme == Scheme::usl && motion.transfer == Transfer::apic);
   plan.half_size = motion.shape == Shape::gimp ? 0.5 / scene.points_per_cell : 0.5;
   const double margin = motion.margin < 0 ? 0.25 * scene.width() : motion.margin;
   const int cells = static_cast<int>(std::ceil(margin / cell_size - 1e-9));
@@ -82,11 +82,19 @@ MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, do
   return plan;
 }
 
-/// Time until the platen has moved to stop_strain, the ramp included: its mean velocity is half the full one.
+/// Time until the platen has moved to stop_strain. At full velocity it lags half the ramp behind; in the ramp
+/// it has moved velocity * ramp_time * (x^3 - x^4 / 2) at x = time / ramp_time.
 double time_needed(const Scene& scene, const Plan& plan) {
   if (scene.loading.direction == Direction::none) return scene.loading.duration;
   const double time = scene.loading.stop_strain * scene.height() / scene.loading.velocity;
-  return time + 0.5 * std::min(plan.ramp_time, 2 * time);
+  if (time >= 0.5 * plan.ramp_time) return time + 0.5 * plan.ramp_time;
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (low + high);
+    (plan.ramp_time * x * x * x * (1 - 0.5 * x) < time ? low : high) = x;
+  }
+  return high * plan.ramp_time;
 }
 
 std::int64_t steps_needed(const Scene& scene, const Plan& plan) {

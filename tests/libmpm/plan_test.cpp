@@ -21,6 +21,23 @@ TEST(Plan, TimeStepAndStepsOfThePapersTensionTest) {
   EXPECT_EQ(plan.steps_per_row, 10);
 }
 
+// However long the ramp, the run ends at the strain that was asked for.
+TEST(Plan, StepsReachTheStrainWithinALongRamp) {
+  mpm::Scene scene = samples::unbreakable(samples::mortar_block(20, 20));
+  scene.loading.stop_strain = 1e-5;
+  const double time = scene.loading.stop_strain * scene.height() / scene.loading.velocity;
+  for (const double ramps : {0.5, 1.9, 2.1, 4.0, 40.0}) {
+    scene.loading.ramp_time = ramps * time;
+    const mpm::Plan plan = mpm::plan(scene);
+    double displacement = 0;
+    for (std::int64_t step = 0; step < plan.steps; ++step)
+      displacement +=
+          plan.dt * scene.loading.velocity * mpm::ramp(plan, (static_cast<double>(step) + 0.5) * plan.dt);
+    const double wanted = scene.loading.stop_strain * scene.height();
+    EXPECT_NEAR(displacement, wanted, plan.dt * scene.loading.velocity + 1e-6 * wanted) << ramps;
+  }
+}
+
 TEST(Plan, OnlyPhasesThatArePresentCount) {
   const mpm::Scene mortar_only = samples::mortar_block(4, 4);
   mpm::Scene with_aggregate = mortar_only;
