@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "apps/explanation.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/progress_line.hpp"
@@ -168,6 +169,8 @@ SimulateCommand::SimulateCommand(CLI::App& program)
   options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");
+  options().add_flag("--explain", explain_,
+                     "print what the run computes, what it leaves out and what that saves, and do no more");
   options().add_flag("--json", json_, "summary as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
@@ -190,6 +193,11 @@ Exit SimulateCommand::run(Console& console) {
     return Exit::ok;
   }
   Job job = prepare_job(std::move(settings), console);
+  if (explain_) {
+    const mpm::Explanation explanation = mpm::explain(job.scene);
+    console.out << (json_ ? explanation_json(explanation).dump(2) + "\n" : explanation_text(explanation));
+    return Exit::ok;
+  }
   const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
   const Outcome outcome = solve(job.scene, console);
   note_outcome(outcome, job, console);

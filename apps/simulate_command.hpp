@@ -17,6 +17,7 @@ class SimulateCommand : public Command {
   std::string output_;
   bool overwrite_ = false;
   bool print_scene_ = false;
+  bool explain_ = false;
   bool json_ = false;
   bool quiet_ = false;
 };

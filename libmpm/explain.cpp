@@ -274,7 +274,8 @@ class Catalogue {
         }))
                                                          : std::nullopt);
     add("second way of the momentum to the nodes", moving.mapped_back,
-        moving.mapped_back ? "motion.scheme is musl" : "motion.scheme is not musl", 0, std::nullopt);
+        moving.mapped_back ? "motion.scheme is musl, or usl with apic" : "motion.scheme maps nothing back", 0,
+        std::nullopt);
     const bool deforms = moving.optional.deformation;
     add("deformation gradient", deforms,
         deforms ? "motion.deformation_gradient is on"

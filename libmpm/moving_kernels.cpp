@@ -100,6 +100,68 @@ MPM_INLINE Weights<Real, nodes_of<stencil>> weights(const Pack<Real>& at, Real h
   return result;
 }
 
+/// Lanes whose tiles are folded at their left and right, and whether the rows are below and above.
+template <class Real>
+struct BlockFolds {
+  Pack<Real> left{}, right{};  ///< 1 for a tile that is, else 0
+  bool across = false, lower = false, upper = false;
+};
+template <class Real, Stencil stencil>
+MPM_INLINE BlockFolds<Real> folds_of(const TileRow<Real>& row, int block) {
+  BlockFolds<Real> folds;
+  if constexpr (stencil == Stencil::quadratic) {
+    folds.lower = row.folds.lower;
+    folds.upper = row.folds.upper;
+    const int left = row.folds.left - block * lanes<Real>;
+    const int right = row.folds.right - block * lanes<Real>;
+    const auto is_here = [](int lane) { return lane >= 0 && lane < lanes<Real>; };
+    if (is_here(left)) folds.left[left] = 1;
+    if (is_here(right)) folds.right[right] = 1;
+    folds.across = is_here(left) || is_here(right);
+  }
+  return folds;
+}
+
+/// What falls to the first node goes to the straight line through the others, and so for the last node.
+template <class Real>
+MPM_INLINE void fold(Pack<Real> (&w)[3], const Pack<Real>& first, const Pack<Real>& last) {
+  const Pack<Real> low = first * w[0];
+  const Pack<Real> high = last * w[2];
+  w[0] -= low + high;
+  w[1] += 2 * (low + high);
+  w[2] -= high + low;
+}
+template <class Real>
+MPM_INLINE void fold(Pack<Real> (&)[2], const Pack<Real>&, const Pack<Real>&) {}  // linear shapes end there
+
+template <class Real, int N>
+MPM_INLINE void fold_across(Pack<Real> (&w)[N], const BlockFolds<Real>& folds) {
+  if (folds.across) fold<Real>(w, folds.left, folds.right);
+}
+template <class Real, int N>
+MPM_INLINE void fold_upwards(Pack<Real> (&w)[N], const BlockFolds<Real>& folds) {
+  if (folds.lower || folds.upper)
+    fold<Real>(w, all<Real>(folds.lower ? 1 : 0), all<Real>(folds.upper ? 1 : 0));
+}
+
+/// Weights of a point across and upwards, with the folds at supports.
+template <class Real, Stencil stencil>
+MPM_INLINE Weights<Real, nodes_of<stencil>> weights_across(const Real* record, Real half_size,
+                                                           const BlockFolds<Real>& folds) {
+  auto x = weights<Real, stencil>(load<Real>(record + Field::xi * lanes<Real>), half_size);
+  fold_across<Real>(x.w, folds);
+  fold_across<Real>(x.dw, folds);
+  return x;
+}
+template <class Real, Stencil stencil>
+MPM_INLINE Weights<Real, nodes_of<stencil>> weights_upwards(const Real* record, Real half_size,
+                                                            const BlockFolds<Real>& folds) {
+  auto y = weights<Real, stencil>(load<Real>(record + Field::eta * lanes<Real>), half_size);
+  fold_upwards<Real>(y.w, folds);
+  fold_upwards<Real>(y.dw, folds);
+  return y;
+}
+
 /// Place of node `i` of a tile along an axis, from the edge of the tile, in cells.
 template <Stencil stencil>
 constexpr double node_place(int i) {
@@ -156,6 +218,16 @@ MPM_INLINE void set_field(Real* record, int index, const Pack<Real>& value) {
   store<Real>(record + index * lanes<Real>, value);
 }
 
+/// Asks the cache for fields `first` to `last` of a record that comes soon: their lines are too far apart for
+/// the processor to foresee.
+template <class Real, int first, int last>
+MPM_INLINE void fetch_ahead(const TileRow<Real>& row, const Real* record) {
+  constexpr int records = 3;
+  const Real* ahead = record + records * row.layout.fields * lanes<Real>;
+  unrolled<last - first + 1>(
+      [&](auto i) MPM_INLINE_LAMBDA { __builtin_prefetch(ahead + (first + i.value) * lanes<Real>); });
+}
+
 template <class Real, int N, int quantities>
 MPM_INLINE void store_sums(const Sums<Real>& out, int tile, const Pack<Real> (&sums)[N * N * quantities]) {
   unrolled<N * N * quantities>([&](auto plane) MPM_INLINE_LAMBDA {
@@ -172,12 +244,14 @@ void scatter_momentum(const TileRow<Real>& in, const Step<Real>& step, Sums<Real
   const Real hy = step.hy;
   for (int block = 0; block < row.blocks; ++block) {
     Pack<Real> sums[N * N * 3] = {};
+    const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       const Real* record = record_of(row, block, slot);
+      fetch_ahead<Real, Field::xi, Field::mass>(row, record);
       const Pack<Real> at_x = field(record, Field::xi);
       const Pack<Real> at_y = field(record, Field::eta);
-      const auto x = weights<Real, stencil>(at_x, half_size);
-      const auto y = weights<Real, stencil>(at_y, half_size);
+      const auto x = weights_across<Real, stencil>(record, half_size, folds);
+      const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       const Pack<Real> m = field(record, Field::mass);
       const Pack<Real> v_x = field(record, Field::vx);
       const Pack<Real> v_y = field(record, Field::vy);
@@ -267,10 +341,12 @@ void scatter_force(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> o
   const Real unilateral = step.unilateral;
   for (int block = 0; block < row.blocks; ++block) {
     Pack<Real> sums[N * N * 2] = {};
+    const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       const Real* record = record_of(row, block, slot);
-      const auto x = weights<Real, stencil>(field(record, Field::xi), half_size);
-      const auto y = weights<Real, stencil>(field(record, Field::eta), half_size);
+      fetch_ahead<Real, Field::volume, Field::sxy>(row, record);
+      const auto x = weights_across<Real, stencil>(record, half_size, folds);
+      const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       const Stress<Pack<Real>> s = carried<Real, closure>(stress_of<Real>(record), row, record, unilateral);
       const Pack<Real> minus_v = -field(record, Field::volume);
       const Pack<Real> v_x = minus_v * per_hx;
@@ -303,7 +379,7 @@ MPM_INLINE void gather_affine(const TileRow<Real>& row, Real* record, const Step
                               const TileNodes<Real, nodes_of<stencil>>& nodes_x,
                               const TileNodes<Real, nodes_of<stencil>>& nodes_y,
                               const Weights<Real, nodes_of<stencil>>& x,
-                              const Weights<Real, nodes_of<stencil>>& y) {
+                              const Weights<Real, nodes_of<stencil>>& y, const BlockFolds<Real>& folds) {
   constexpr int N = nodes_of<stencil>;
   Pack<Real> along_x[N], along_y[N];
   if constexpr (stencil == Stencil::linear) {
@@ -314,12 +390,17 @@ MPM_INLINE void gather_affine(const TileRow<Real>& row, Real* record, const Step
   } else {
     const Pack<Real> at_x = field(record, Field::xi);
     const Pack<Real> at_y = field(record, Field::eta);
-    const Pack<Real> per_dx = (1 / step.hx) / variance<Real, N>(x, at_x);
-    const Pack<Real> per_dy = (1 / step.hy) / variance<Real, N>(y, at_y);
+    // Folded weights have no variance at the support; those of the nodes beyond it, which follow a line, do.
+    const auto free_x = weights<Real, stencil>(at_x, step.half_size);
+    const auto free_y = weights<Real, stencil>(at_y, step.half_size);
+    const Pack<Real> per_dx = (1 / step.hx) / variance<Real, N>(free_x, at_x);
+    const Pack<Real> per_dy = (1 / step.hy) / variance<Real, N>(free_y, at_y);
     unrolled<N>([&](auto i) MPM_INLINE_LAMBDA {
-      along_x[i.value] = x.w[i.value] * (Real(node_place<stencil>(i.value)) - at_x) * per_dx;
-      along_y[i.value] = y.w[i.value] * (Real(node_place<stencil>(i.value)) - at_y) * per_dy;
+      along_x[i.value] = free_x.w[i.value] * (Real(node_place<stencil>(i.value)) - at_x) * per_dx;
+      along_y[i.value] = free_y.w[i.value] * (Real(node_place<stencil>(i.value)) - at_y) * per_dy;
     });
+    fold_across<Real>(along_x, folds);
+    fold_upwards<Real>(along_y, folds);
   }
   set_field<Real>(record, row.layout.affine, interpolated<Real, N>(nodes_x, along_x, y.w));
   set_field<Real>(record, row.layout.affine + 1, interpolated<Real, N>(nodes_x, x.w, along_y));
@@ -349,10 +430,12 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
       fresh_x = load_nodes<Real, N>(fresh.x, fresh.stride, tile);
       fresh_y = load_nodes<Real, N>(fresh.y, fresh.stride, tile);
     }
+    const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       Real* record = record_of(row, block, slot);
-      const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
-      const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
+      fetch_ahead<Real, Field::xi, Field::mass>(row, record);
+      const auto x = weights_across<Real, stencil>(record, half_size, folds);
+      const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       Pack<Real> v_x{}, v_y{};
       if constexpr (transfer != Return::apic) {
         v_x = field<Real>(record, Field::vx) + interpolated<Real, N>(change_x, x.w, y.w);
@@ -366,9 +449,9 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
         v_x = interpolated<Real, N>(fresh_x, x.w, y.w);
         v_y = interpolated<Real, N>(fresh_y, x.w, y.w);
         if constexpr (stencil == Stencil::linear)
-          gather_affine<Real, stencil>(row, record, step, change_x, change_y, x, y);
+          gather_affine<Real, stencil>(row, record, step, change_x, change_y, x, y, folds);
         else
-          gather_affine<Real, stencil>(row, record, step, fresh_x, fresh_y, x, y);
+          gather_affine<Real, stencil>(row, record, step, fresh_x, fresh_y, x, y, folds);
       }
       const Mask<Real> there = field<Real>(record, Field::mass) > Pack<Real>{};
       v_x = there ? v_x : Pack<Real>{};
@@ -450,10 +533,12 @@ int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<R
     const auto vx = load_nodes<Real, N>(velocity.x, velocity.stride, block * lanes<Real>);
     const auto vy = load_nodes<Real, N>(velocity.y, velocity.stride, block * lanes<Real>);
     Mask<Real> suspect{};
+    const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       Real* record = record_of(row, block, slot);
-      const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
-      const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
+      fetch_ahead<Real, Field::xi, Field::basic_fields + 1>(row, record);
+      const auto x = weights_across<Real, stencil>(record, half_size, folds);
+      const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       const Gradient<Real> g = gradient<Real, N>(vx, vy, x, y, per_x, per_y);
       const Pack<Real> v = field<Real>(record, Field::volume);
       set_field<Real>(record, Field::volume, v * ((1 + g.xx) * (1 + g.yy) - g.xy * g.yx));
@@ -493,12 +578,13 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
     const auto vx = load_nodes<Real, N>(fresh.x, fresh.stride, block * lanes<Real>);
     const auto vy = load_nodes<Real, N>(fresh.y, fresh.stride, block * lanes<Real>);
     Mask<Real> stays = zero <= zero;
+    const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       Real* record = record_of(row, block, slot);
       const Pack<Real> old_x = field<Real>(record, Field::xi);
       const Pack<Real> old_y = field<Real>(record, Field::eta);
-      const auto x = weights<Real, stencil>(old_x, half_size);
-      const auto y = weights<Real, stencil>(old_y, half_size);
+      const auto x = weights_across<Real, stencil>(record, half_size, folds);
+      const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       const Mask<Real> there = field<Real>(record, Field::mass) > zero;
       const Pack<Real> moved_x = old_x + per_x * interpolated<Real, N>(vx, x.w, y.w);
       const Pack<Real> moved_y =
@@ -524,10 +610,11 @@ void deform(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> v
     if (row.used[block] == 0) continue;
     const auto vx = load_nodes<Real, N>(velocity.x, velocity.stride, block * lanes<Real>);
     const auto vy = load_nodes<Real, N>(velocity.y, velocity.stride, block * lanes<Real>);
+    const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       Real* record = record_of(row, block, slot);
-      const auto x = weights<Real, stencil>(field<Real>(record, Field::xi), half_size);
-      const auto y = weights<Real, stencil>(field<Real>(record, Field::eta), half_size);
+      const auto x = weights_across<Real, stencil>(record, half_size, folds);
+      const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       const Gradient<Real> g = gradient<Real, N>(vx, vy, x, y, step.dt / step.hx, step.dt / step.hy);
       const Pack<Real> xx = field<Real>(record, row.layout.deformation);
       const Pack<Real> xy = field<Real>(record, row.layout.deformation + 1);

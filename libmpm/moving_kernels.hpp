@@ -52,6 +52,15 @@ struct RecordLayout {
 /// Zeros in front of a row of sums, and at least as many behind it.
 inline constexpr int padding = 16;
 
+/// Where a support stands on the middle nodes of the outermost tiles of quadratic shapes. The nodes beyond it
+/// move as a straight line through that node and the next one inside says, so that the points see no others:
+/// linear shapes within half a cell of the support, complete and without a jump to the next tile.
+/// Source: Steffen, Wallstedt, Guilkey, Kirby, Berzins (2008), on B-splines at boundaries.
+struct Folds {
+  int left = -1, right = -1;          ///< columns of tiles; -1 = no support
+  bool lower = false, upper = false;  ///< whether this is such a row
+};
+
 /// The points of a row of tiles: `lanes` tiles are a block, and its points lie in `used` records from `begin`
 /// on.
 template <class Real>
@@ -62,6 +71,7 @@ struct TileRow {
   int blocks;
   RecordLayout layout;
   Real bottom;  ///< lower edge of the tiles over the height of a cell [-]
+  Folds folds = {};
 };
 
 /// The nodes that a row of tiles touches: the first of them, left below.

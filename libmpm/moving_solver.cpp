@@ -44,6 +44,7 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
       momentum_(geometry_, 3, band_ends()),
       force_(geometry_, 2, band_ends()),
       points_(geometry_.tiles_y, geometry_.tiles_x, sweeps_.lanes, record_layout(plan.moving.optional)),
+      contact_(grid_.mass.size(), std::uint8_t{0}),
       row_impulses_(static_cast<std::size_t>(geometry_.nodes_y)),
       row_damped_(static_cast<std::size_t>(geometry_.nodes_y), 0.0),
       live_(scene.phases.size(), 0),
@@ -60,12 +61,12 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   const double lightest = lightest_point(scene);
   // Lighter nodes are rounding: they take part in nothing.
   least_mass_ = static_cast<Real>(1e-12 * lightest);
-  // A point alone on a node of weight S swings with c / (h sqrt S); the step that suits a full cell suits it
-  // from S = cfl^2 / 4 on. Where the stress follows the new velocity of the nodes (USL), lighter nodes strain
-  // the points with the velocity that they brought.
-  light_mass_ = static_cast<Real>(0.25 * scene.cfl * scene.cfl * lightest);
-  slopes_from_straining_ =
-      scene.motion.transfer == Transfer::apic && scene.motion.shape == Shape::linear;
+  // A point alone on a node of weight S swings with c / (h sqrt S), for which the step that suits a full cell
+  // is too long below S = cfl^2 / 4; four times that leaves room for several such nodes at a point. Where the
+  // stress follows the new velocity of the nodes (USL), lighter nodes answer to forces as if they had that
+  // mass.
+  light_mass_ = static_cast<Real>(scene.cfl * scene.cfl * lightest);
+  slopes_from_straining_ = scene.motion.transfer == Transfer::apic && scene.motion.shape == Shape::linear;
   step_.half_size = static_cast<Real>(plan.moving.half_size);
   step_.hx = static_cast<Real>(plan.cell_size);
   step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
@@ -185,17 +186,12 @@ void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, std::ba
   for (std::int64_t i = 0; i < steps; ++i) {
     if (index == 0) begin_step();
     barrier.arrive_and_wait();
-    switch (scene_.motion.scheme) {
-      case Scheme::usf:
-        step_usf(band, barrier);
-        break;
-      case Scheme::usl:
-        step_usl(band, barrier);
-        break;
-      case Scheme::musl:
-        step_musl(band, barrier);
-        break;
-    }
+    if (scene_.motion.scheme == Scheme::usf)
+      step_usf(band, barrier);
+    else if (plan_.moving.mapped_back)
+      step_musl(band, barrier);
+    else
+      step_usl(band, barrier);
     barrier.arrive_and_wait();
     if (index == 0) end_step();
     barrier.arrive_and_wait();
@@ -209,6 +205,7 @@ void MovingSolver<Real>::begin_step() {
   const double height = cell_height(clock_.displacement);
   if (scene_.loading.direction != Direction::none) {
     const double sign = scene_.loading.direction == Direction::tension ? 1.0 : -1.0;
+    supports_.top.before = clock_.velocity;
     clock_.velocity = sign * scene_.loading.velocity * ramp(plan_, clock_.time + 0.5 * clock_.dt);
     supports_.top.velocity = clock_.velocity;
   }
@@ -307,7 +304,7 @@ void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
       },
       [&](int row) {
         sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
-        hold(row, &Grid::strain_x, &Grid::strain_y, false);
+        hold_straining_velocity(row);
       });
   for (int row = band.begin; row < band.end; ++row) {
     update_stress_and_damage(band, row);
@@ -345,7 +342,7 @@ void MovingSolver<Real>::step_usf(Band& band, std::barrier<>& barrier) {
       [&](int row) {
         sum_momentum(row, &Grid::vx, &Grid::vy);
         sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
-        hold(row, &Grid::strain_x, &Grid::strain_y, false);
+        hold_straining_velocity(row);
       });
   scatter_rows(
       band, barrier,

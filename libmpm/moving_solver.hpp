@@ -113,8 +113,15 @@ class MovingSolver {
   void move_points(Band& band, int row);
   void resort();
 
-  void hold(int node_row, Field vx, Field vy, bool counts);
-  void hold_node(int node_row, int col, Field vx, Field vy, bool counts);
+  /// Bits of contact_.
+  static constexpr std::uint8_t touches_upright = 1, touches_across = 2;
+  template <class Visit>
+  void for_held_nodes(int node_row, Visit&& visit);
+  void hold(int node_row);
+  void hold_node(int node_row, int col);
+  void hold_straining_velocity(int node_row);
+  void hold_straining(int node_row, int col);
+  [[nodiscard]] bool is_pinned(int node_row, int col);
   [[nodiscard]] int pinned_column(int node_row);
 
   void fail_suspects(Band& band, int row);
@@ -124,9 +131,7 @@ class MovingSolver {
   void record_failure(const PointOrigin& origin, bool cracked, FailureMode mode);
 
   [[nodiscard]] moving::NodeVectors<Real> nodes(int tile_row, Field x, Field y) const;
-  [[nodiscard]] moving::TileRow<Real> tiles(int row) {
-    return points_.tile_row(row, Real(geometry_.bottom_of(row)));
-  }
+  [[nodiscard]] moving::TileRow<Real> tiles(int row);
   [[nodiscard]] PointView view(const Slot& slot) const;
   [[nodiscard]] double cell_height(double displacement) const;
   [[nodiscard]] Ledger balance();
@@ -146,15 +151,16 @@ class MovingSolver {
   TileSums<Real> momentum_, force_;
   MovingPoints<Real> points_;
   moving::Step<Real> step_{};
+  std::vector<std::uint8_t> contact_;   ///< by node: which supports it touches
   std::vector<Impulses> row_impulses_;  ///< by row of nodes, in this step
   std::vector<double> row_damped_;      ///< by row of nodes, in all [J/m]
   std::vector<std::int64_t> live_;      ///< points that carry load, by label
   std::vector<double> speeds_;          ///< of the compression wave, by label [m/s]
   Real least_mass_ = 0, light_mass_ = 0;
   bool slopes_from_straining_ = false;  ///< APIC takes its gradients from the straining velocity
-  int pinned_ = -1;         ///< column of the node that smooth platens hold; -1 = not chosen yet
-  double first_dt_ = 0;     ///< [s]
-  Real start_fastest_ = 0;  ///< largest square of a speed that the points were given [m^2/s^2]
+  int pinned_ = -1;                     ///< column of the node that smooth platens hold; -1 = not chosen yet
+  double first_dt_ = 0;                 ///< [s]
+  Real start_fastest_ = 0;              ///< largest square of a speed that the points were given [m^2/s^2]
   Clock clock_;
   Tally start_;  ///< what was there before the first step
   Tally sums_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "libmpm/moving_solver.hpp"
 
@@ -11,6 +12,17 @@ template <class Real>
 moving::NodeVectors<Real> MovingSolver<Real>::nodes(int tile_row, Field x, Field y) const {
   const std::size_t at = grid_.at(tile_row);
   return {(grid_.*x).data() + at, (grid_.*y).data() + at, grid_.stride};
+}
+
+template <class Real>
+moving::TileRow<Real> MovingSolver<Real>::tiles(int row) {
+  moving::TileRow<Real> tiles = points_.tile_row(row, Real(geometry_.bottom_of(row)));
+  if (geometry_.before == 0) return tiles;  // linear shapes reach no node beyond a support
+  tiles.folds = {.left = supports_.left.active ? 0 : -1,
+                 .right = supports_.right.active ? geometry_.tiles_x - 1 : -1,
+                 .lower = row == 0 && supports_.bottom.active,
+                 .upper = row == geometry_.tiles_y - 1 && supports_.top.active};
+  return tiles;
 }
 
 template <class Real>
@@ -53,19 +65,20 @@ void MovingSolver<Real>::integrate_momentum(int node_row) {
   // The force at a platen is its reaction, not out of balance: damping would add to it.
   const bool at_platen = (node_row <= geometry_.before && supports_.bottom.active) ||
                          (node_row >= geometry_.cells_y + geometry_.before && supports_.top.active);
-  row_damped_[static_cast<std::size_t>(node_row)] += (at_platen ? integrate_undamped_ : sweeps_.integrate)(in);
-  hold(node_row, &MovingGrid<Real>::fresh_x, &MovingGrid<Real>::fresh_y, true);
+  row_damped_[static_cast<std::size_t>(node_row)] +=
+      (at_platen ? integrate_undamped_ : sweeps_.integrate)(in);
+  hold(node_row);
 }
 
 template <class Real>
 void MovingSolver<Real>::choose_straining_velocity(int node_row) {
   for (int col = 0; col < geometry_.nodes_x; ++col) {
     const std::size_t at = grid_.at(node_row, col);
-    const bool light = grid_.mass[at] < light_mass_;
-    grid_.strain_x[at] = light ? grid_.vx[at] : grid_.fresh_x[at];
-    grid_.strain_y[at] = light ? grid_.vy[at] : grid_.fresh_y[at];
+    const Real share = std::min(Real(1), grid_.mass[at] / light_mass_);
+    grid_.strain_x[at] = grid_.vx[at] + share * (grid_.fresh_x[at] - grid_.vx[at]);
+    grid_.strain_y[at] = grid_.vy[at] + share * (grid_.fresh_y[at] - grid_.vy[at]);
   }
-  hold(node_row, &MovingGrid<Real>::strain_x, &MovingGrid<Real>::strain_y, false);
+  hold_straining_velocity(node_row);
 }
 
 /// Smooth platens leave the specimen free to slide; the node of the bottom nearest the middle of the picture
@@ -85,63 +98,117 @@ int MovingSolver<Real>::pinned_column(int node_row) {
   return -1;
 }
 
-/// What stands at the edges gives the nodes on it, and beyond it, its motion.
-/// @param counts  these are the velocities that the points will get: what is taken is a reaction.
+/// visit(column) for the nodes of a row at, and beyond, what stands at the edges.
 template <class Real>
-void MovingSolver<Real>::hold(int node_row, Field vx, Field vy, bool counts) {
+template <class Visit>
+void MovingSolver<Real>::for_held_nodes(int node_row, Visit&& visit) {
   const int last_row = geometry_.cells_y + geometry_.before;
   const int last_col = geometry_.cells_x + geometry_.before;
   const bool at_bottom = node_row <= geometry_.before && supports_.bottom.active;
   const bool at_top = node_row >= last_row && supports_.top.active;
   if (at_bottom || at_top) {
-    for (int col = 0; col < geometry_.nodes_x; ++col) hold_node(node_row, col, vx, vy, counts);
+    for (int col = 0; col < geometry_.nodes_x; ++col) visit(col);
     return;
   }
   if (supports_.left.active)
-    for (int col = 0; col <= geometry_.before; ++col) hold_node(node_row, col, vx, vy, counts);
+    for (int col = 0; col <= geometry_.before; ++col) visit(col);
   if (supports_.right.active)
-    for (int col = last_col; col < geometry_.nodes_x; ++col) hold_node(node_row, col, vx, vy, counts);
+    for (int col = last_col; col < geometry_.nodes_x; ++col) visit(col);
+}
+
+/// What stands at the edges gives the nodes on it its motion, and takes the reaction.
+template <class Real>
+void MovingSolver<Real>::hold(int node_row) {
+  for_held_nodes(node_row, [&](int col) { hold_node(node_row, col); });
 }
 
 template <class Real>
-void MovingSolver<Real>::hold_node(int node_row, int col, Field vx, Field vy, bool counts) {
+void MovingSolver<Real>::hold_straining_velocity(int node_row) {
+  for_held_nodes(node_row, [&](int col) { hold_straining(node_row, col); });
+}
+
+/// The forces of the step meet what stands at the edges.
+template <class Real>
+void MovingSolver<Real>::hold_node(int node_row, int col) {
   const std::size_t at = grid_.at(node_row, col);
+  const std::uint8_t touched = std::exchange(contact_[at], std::uint8_t{0});
   if (!(grid_.mass[at] > least_mass_)) return;
-  const double free_x = (grid_.*vx)[at];
-  const double free_y = (grid_.*vy)[at];
-  double x = free_x;
-  double y = free_y;
   const int last_row = geometry_.cells_y + geometry_.before;
   const int last_col = geometry_.cells_x + geometry_.before;
-  const bool at_bottom = node_row <= geometry_.before;
   const bool at_top = node_row >= last_row;
-  if (at_bottom || at_top) {
-    const auto held = (at_top ? supports_.top : supports_.bottom).held({y, x}, at_top ? 1 : -1);
-    y = held.normal;
-    x = held.tangential;
+  const bool at_right = col >= last_col;
+  std::optional<Support::Held> x, y;
+  if (at_top || node_row <= geometry_.before) {
+    const Support& support = at_top ? supports_.top : supports_.bottom;
+    y = support.caught(grid_.vy[at], grid_.change_y[at], at_top ? 1 : -1, (touched & touches_upright) != 0);
+    if (y) contact_[at] |= touches_upright;
+    if (y && support.rough) x = Support::Held{0, support.separates && touched == 0 ? grid_.vx[at] : 0};
   }
-  if (col <= geometry_.before || col >= last_col) {
-    const bool right = col >= last_col;
-    const auto held = (right ? supports_.right : supports_.left).held({x, y}, right ? 1 : -1);
-    x = held.normal;
-    y = held.tangential;
+  if (at_right || col <= geometry_.before) {
+    const Support& support = at_right ? supports_.right : supports_.left;
+    const auto across =
+        support.caught(grid_.vx[at], grid_.change_x[at], at_right ? 1 : -1, (touched & touches_across) != 0);
+    if (across) {
+      contact_[at] |= touches_across;
+      x = across;
+      if (support.rough) y = Support::Held{0, support.separates && touched == 0 ? grid_.vy[at] : 0};
+    }
   }
-  const bool slides = scene_.loading.direction != Direction::none &&
-                      scene_.loading.platen == Platen::smooth && !scene_.loading.separation;
-  if (slides && at_bottom && col == pinned_column(node_row)) x = 0;
-  if (x == free_x && y == free_y) return;
-  (grid_.*vx)[at] = static_cast<Real>(x);
-  (grid_.*vy)[at] = static_cast<Real>(y);
-  if (!counts) return;
-  grid_.change_x[at] += static_cast<Real>(x - free_x);
-  grid_.change_y[at] += static_cast<Real>(y - free_y);
-  const double impulse = static_cast<double>(grid_.mass[at]) * (y - free_y);
+  if (is_pinned(node_row, col)) x = Support::Held{0, 0};
+  // What a point gets is the change for FLIP and the value for PIC and APIC.
+  const double flip = scene_.motion.transfer == Transfer::apic ? 0 : scene_.motion.flip_ratio;
+  const auto set = [&](const Support::Held& held, double brought, Real& fresh, Real& change) {
+    const double push = change;
+    fresh = static_cast<Real>(held.velocity);
+    change = static_cast<Real>(held.velocity - held.before);
+    return static_cast<double>(grid_.mass[at]) *
+           (held.velocity - (flip * held.before + (1 - flip) * brought) - push);
+  };
+  if (x) (void)set(*x, grid_.vx[at], grid_.fresh_x[at], grid_.change_x[at]);
+  if (!y) return;
+  const double impulse = set(*y, grid_.vy[at], grid_.fresh_y[at], grid_.change_y[at]);
   Impulses& sums = row_impulses_[static_cast<std::size_t>(node_row)];
-  if (at_bottom) sums.bottom += impulse;
+  if (node_row <= geometry_.before) sums.bottom += impulse;
   if (at_top) {
     sums.top += impulse;
     sums.work += impulse * supports_.top.velocity;
   }
+}
+
+/// The velocity that strains the points follows what the forces met: a node that a support still pushes must
+/// not take its own way there, or the stress that pushes would stay, and its energy come from nothing.
+template <class Real>
+void MovingSolver<Real>::hold_straining(int node_row, int col) {
+  const std::size_t at = grid_.at(node_row, col);
+  if (!(grid_.mass[at] > least_mass_)) return;
+  Real& x = grid_.strain_x[at];
+  Real& y = grid_.strain_y[at];
+  const auto touches = [&](const Support& support, std::uint8_t side) {
+    return support.active && (!support.separates || (contact_[at] & side) != 0);
+  };
+  const bool at_top = node_row >= geometry_.cells_y + geometry_.before;
+  const bool at_right = col >= geometry_.cells_x + geometry_.before;
+  if (at_top || node_row <= geometry_.before) {
+    const Support& support = at_top ? supports_.top : supports_.bottom;
+    if (touches(support, touches_upright)) {
+      y = static_cast<Real>(support.velocity);
+      if (support.rough) x = 0;
+    }
+  }
+  if (at_right || col <= geometry_.before) {
+    const Support& support = at_right ? supports_.right : supports_.left;
+    if (touches(support, touches_across)) {
+      x = static_cast<Real>(support.velocity);
+      if (support.rough) y = 0;
+    }
+  }
+  if (is_pinned(node_row, col)) x = 0;
+}
+
+template <class Real>
+bool MovingSolver<Real>::is_pinned(int node_row, int col) {
+  return scene_.loading.direction != Direction::none && scene_.loading.platen == Platen::smooth &&
+         !scene_.loading.separation && node_row <= geometry_.before && col == pinned_column(node_row);
 }
 
 template <class Real>

@@ -66,7 +66,9 @@ MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, do
   plan.optional.cracked = features.crack_closure;
   plan.optional.deformation = motion.deformation_gradient;
   plan.optional.affine = motion.transfer == Transfer::apic;
-  plan.mapped_back = motion.scheme == Scheme::musl;
+  // What APIC maps back is what it mapped: only light nodes differ, and there USL is not stable.
+  plan.mapped_back = motion.scheme == Scheme::musl ||
+                     (motion.scheme == Scheme::usl && motion.transfer == Transfer::apic);
   plan.half_size = motion.shape == Shape::gimp ? 0.5 / scene.points_per_cell : 0.5;
   const double margin = motion.margin < 0 ? 0.25 * scene.width() : motion.margin;
   const int cells = static_cast<int>(std::ceil(margin / cell_size - 1e-9));

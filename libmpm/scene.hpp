@@ -43,7 +43,7 @@ enum class Shape {
 /// When in a step the stress follows the motion of the nodes.
 enum class Scheme {
   usf,   ///< first, from the momentum that the points brought
-  usl,   ///< last, from the velocity at the end of the step
+  usl,   ///< last, from the velocity at the end of the step; with APIC the same as musl
   musl,  ///< last, from the new velocity of the points, mapped back; Sulsky, Zhou, Schreyer (1995)
 };
 

@@ -76,15 +76,15 @@ double imbalance(const HistoryRow& row, const HistoryRow& first) {
                   row.left);
 }
 
-/// The shares of the energy (kinetic, elastic, released, damped) are none of them negative and add up to the
-/// work of the platens. In an unstable step they still add up, but with both signs and without bound: nodes
-/// that turn round at every step have a negative kinetic energy (the product of two successive velocities)
-/// beside an elastic one that grows as fast, and what fails among them releases negative energy. The factor
-/// is for rounding, for crack closure that does not keep energy, and for the first order of the damped share.
+/// Kinetic, elastic and damped energy are none of them negative, and together no more than the work of the
+/// platens. In an unstable step they still add up, but with both signs and without bound: nodes that turn
+/// round at every step have a negative kinetic energy (the product of two successive velocities) beside an
+/// elastic one that grows as fast. The factor leaves room for rounding, for the first order of the damped
+/// energy, and for clipped cracks, which make energy (more than the work in what is released, so that this is
+/// no part of the sum).
 bool makes_energy(const HistoryRow& row, const HistoryRow& first) {
-  const double shares =
-      std::abs(row.kinetic) + std::abs(row.elastic) + std::abs(row.released) + std::abs(row.damped);
-  return !(shares <= 10 * std::abs(energy_put_in(row, first)) + 1e-30);  // not-a-number is no energy either
+  const double energy = std::abs(row.kinetic) + std::abs(row.elastic) + std::abs(row.damped);
+  return !(energy <= 10 * std::abs(energy_put_in(row, first)) + 1e-30);  // not-a-number is no energy either
 }
 
 void add_row(Result& result, const HistoryRow& row) {

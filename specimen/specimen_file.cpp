@@ -204,7 +204,8 @@ class MemoryFile {
  private:
   static herr_t keep_and_free(void* memory, H5FD_file_image_op_t operation, void* self) {
     auto& file = *static_cast<MemoryFile*>(self);
-    if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE) {
+    // HDF5 looks first whether a file of this name lies in the folder; closing that one is not meant.
+    if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE && !file.bytes_.empty()) {
       std::memcpy(file.bytes_.data(), memory, file.bytes_.size());
       file.closed_ = true;
     }

@@ -1,3 +1,7 @@
 // For the sanitizer builds: HDF5 1.10 forgets what it had unpacked when a checksum fails.
 // NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming): the sanitizer chose the name
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
+
+// Its report of what it suppressed would stand among the messages of the program.
+// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }

@@ -3,3 +3,7 @@
 // when a checksum fails.
 // NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming): the sanitizer chose the name
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\nleak:libhdf5\n"; }
+
+// Its report of what it suppressed would stand among the messages of the program.
+// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }

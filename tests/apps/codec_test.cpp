@@ -20,6 +20,8 @@ TEST(Bounds, SayWhatIsAllowed) {
   EXPECT_EQ(app::up_to(0, 1).text(app::Dimension::ratio), "must lie in (0, 1]");
   EXPECT_EQ(app::below(0, 1).text(app::Dimension::ratio), "must lie in [0, 1)");
   EXPECT_EQ(app::between(0.5e-3, 2).text(app::Dimension::length), "must lie in [0.5 mm, 2 m]");
+  EXPECT_EQ(app::between(-app::unlimited, 2).text(app::Dimension::length), "must be <= 2 m");
+  EXPECT_EQ(app::below(-app::unlimited, 2).text(app::Dimension::length), "must be < 2 m");
 }
 
 TEST(Bounds, OpenEndsExcludeTheLimit) {
@@ -91,6 +93,14 @@ TEST(Name, SuggestsTheWordThatWasMeant) {
   EXPECT_EQ(complaint_about(plane, text("stres")), "must be strain or stress; did you mean stress?");
   EXPECT_EQ(complaint_about(plane, text("shell")), "must be strain or stress");
   EXPECT_EQ(complaint_about(plane, {true}), "must be strain or stress");
+}
+
+TEST(Text, TakesTextInUtf8Only) {
+  EXPECT_EQ(app::Text().read(text("Größe")), "Größe");
+  EXPECT_EQ(complaint_about(app::Text(), text("Gr\xf6\xdf"
+                                              "e")),
+            "must be text in UTF-8");
+  EXPECT_EQ(complaint_about(app::Text(), {1.5}), "must be a text in quotes");
 }
 
 TEST(FromCommandLine, GuessesNothingButTheKind) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "libmpm/strength.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {
@@ -62,6 +63,18 @@ TEST(ExtraPoints, AreSortedByRowsOfCellsAndLieInsideThem) {
   EXPECT_EQ(extra.points[2].cell, 3) << "a point on the edge belongs to the last cell";
   EXPECT_NEAR(extra.points[2].xi, 1, 1e-12);
   EXPECT_EQ(extra.points[0].share, 0.5);
+}
+
+TEST(ExtraPoints, HaveStrengthsOfTheirOwn) {
+  mpm::Scene scene = samples::mortar_block(8, 8);
+  scene.extra_points = {
+      {1e-3, 1e-3, samples::itz}, {2e-3, 1e-3, samples::itz}, {2e-3, 2e-3, samples::aggregate}};
+  const auto extra = mpm::make_extra_points(scene, mpm::plan(scene));
+  for (const auto& point : extra.points) {
+    const double random = mpm::uniform_random(scene.damage.seed, point.index, 1);
+    const bool elastic = point.index == 2;
+    EXPECT_EQ(point.state.factor, elastic ? 1 : mpm::strength_factor(random, 1.5));
+  }
 }
 
 TEST(ExtraPoints, OfVoidAreLeftOut) {

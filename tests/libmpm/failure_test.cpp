@@ -79,6 +79,15 @@ TEST(Judge, TestsTensionFirstAndACrackedPointForShearOnly) {
   EXPECT_EQ(mpm::judge({&mortar, 1, CrackClosure::clipped}, {20e6, 0, 0}, Plane::strain), FailureMode::none);
 }
 
+// Compressed alike from both sides: plane strain confines the third direction, in plane stress it is free.
+TEST(Judge, TheStressOutOfThePlaneTakesPart) {
+  const double phi = mortar.friction_angle;
+  const double strength = 2 * mortar.cohesion * std::cos(phi) / (1 - std::sin(phi));
+  const Stress<double> s{-1.01 * strength, -1.01 * strength, 0};
+  EXPECT_EQ(mpm::judge({&mortar, 1, CrackClosure::off}, s, Plane::strain), FailureMode::none);
+  EXPECT_EQ(mpm::judge({&mortar, 1, CrackClosure::off}, s, Plane::stress), FailureMode::shear);
+}
+
 TEST(StressPower, IsTwiceTheElasticEnergyDensity) {
   for (const Plane plane : {Plane::strain, Plane::stress}) {
     const Eigen::Vector3d strain(1e-4, -3e-5, 2e-5);

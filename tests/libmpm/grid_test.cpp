@@ -25,6 +25,25 @@ TEST(Grid, HoldsTheMassOfTheImage) {
   EXPECT_NEAR(total_mass(scene), expected, 1e-12 * expected);
 }
 
+// The pixel in row 0, column 1 lies at (0.75, 0.75) of the upper left cell.
+TEST(Grid, GivesAPointsMassToTheNodesOfItsCell) {
+  mpm::Scene scene = samples::mortar_block(4, 4);
+  scene.labels.setConstant(0);
+  scene.labels(0, 1) = samples::mortar;
+  const mpm::Plan plan = mpm::plan(scene);
+  const mpm::Grid grid = mpm::make_grid(scene, plan);
+  const double weights[3][3] = {{0, 0, 0}, {0.0625, 0.1875, 0}, {0.1875, 0.5625, 0}};  // row 0 is the bottom
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col) {
+      const double mass = weights[row][col] * 2400 * 0.25e-6;
+      const double expected = mass > 0 ? plan.dt / (4 * mass) : 0;
+      EXPECT_NEAR(grid.impulse_over_mass[static_cast<std::size_t>(grid.at(row, col))], expected,
+                  1e-12 * expected)
+          << "row " << row << ", column " << col;
+    }
+  }
+}
+
 TEST(Grid, ExtraPointsShareTheMassOfTheirPixel) {
   mpm::Scene scene = samples::mortar_block(8, 8);
   const double mass = total_mass(scene);

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <vector>
 
 #include "libmpm/grid.hpp"
 #include "libmpm/instruction_set.hpp"
 #include "libmpm/lattice_points.hpp"
+#include "libmpm/strength.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {
@@ -191,6 +194,40 @@ TYPED_TEST(Cells, SuspectCompressionBeyondTheOnsetOfShear) {
   sweep.displace([&](double /*x*/, double y) { return std::pair{0.0, -200e6 / 22.2e9 * y}; });
   sweep.run(*mpm::available_kernels().front());
   EXPECT_TRUE(sweep.suspect);
+}
+
+// Both principal stresses beyond a threshold as well as one, whichever way they point.
+TYPED_TEST(Cells, SuspectAlikeInAllDirections) {
+  Scene scene = samples::mortar_block(8, 8);
+  scene.phases[2]->weibull_modulus = 100;
+  scene.phases[2]->cohesion = 30e6;
+  const Eigen::Matrix3d compliance = mpm::stiffness(*scene.phases[2], scene.plane).inverse();
+  const double t = 15e6;
+  const double s = mpm::shear_onset(*scene.phases[2], 1, t);
+  struct Case {
+    double first, second;
+    bool suspect;
+  };
+  const Case cases[] = {{0.9 * t, 0.9 * t, false},  {1.1 * t, 1.1 * t, true},   {1.1 * t, 0, true},
+                        {1.1 * t, -0.5 * s, true},  {0.9 * t, -0.9 * s, false}, {0.9 * t, -1.1 * s, true},
+                        {-1.1 * s, -1.1 * s, true}, {-0.9 * s, -0.9 * s, false}};
+  Sweep<TypeParam> sweep(scene);
+  for (const auto* kernels : mpm::available_kernels()) {
+    for (const double angle : {0.0, 0.4, 0.8, 1.3}) {
+      for (const Case& stress : cases) {
+        const double mean = 0.5 * (stress.first + stress.second);
+        const double radius = 0.5 * (stress.first - stress.second);
+        const double along = radius * std::cos(2 * angle);
+        const Eigen::Vector3d e =
+            compliance * Eigen::Vector3d(mean + along, mean - along, radius * std::sin(2 * angle));
+        sweep.suspect = false;
+        sweep.displace([&](double x, double y) { return std::pair{e(0) * x + e(2) * y, e(1) * y}; });
+        sweep.run(*kernels);
+        EXPECT_EQ(sweep.suspect, stress.suspect)
+            << kernels->name << ": " << stress.first << ", " << stress.second << " Pa at " << angle;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -12,6 +12,10 @@ namespace {
 TEST(StoredThreshold, IsNeverAboveTheTrueOne) {
   for (const double stress : {1.0, 3.3e6, 15e6 * std::sqrt(2.0), 1e9 / 3})
     EXPECT_LE(static_cast<double>(mpm::stored_threshold(stress, 0.7)), stress * 0.7);
+  for (int i = 1; i < 1000; ++i) {  // rounded to the nearest, half of them would lie above
+    const double stress = 1e6 * std::sqrt(i);
+    EXPECT_LE(static_cast<double>(mpm::stored_threshold(stress, 1e-14)), stress * 1e-14);
+  }
   EXPECT_EQ(mpm::stored_threshold(mpm::Phase::unbreakable, 1), mpm::kernels::unreachable);
   EXPECT_EQ(mpm::stored_threshold(0, 1), 0.0F);
 }
@@ -46,6 +50,20 @@ TEST(LatticePoints, ShareThePixelWithExtraPoints) {
   const auto points = mpm::make_points<double>(scene, mpm::plan(scene));
   EXPECT_EQ(points.stiffness[points.at(0, 0, 0)], 10e9);
   EXPECT_EQ(points.stiffness[points.at(0, 1, 0)], 20e9);
+}
+
+// Several Poisson ratios: stiffness is lambda, and all that is stored is times the share of the pixel.
+TEST(LatticePoints, ShareThePixelWithExtraPointsOfAnotherPoissonRatio) {
+  mpm::Scene scene = samples::mortar_block(4, 4);
+  scene.phases[samples::itz]->poisson = 0.3;
+  scene.extra_points = {{0.2e-3, 0.2e-3, samples::itz}};
+  const mpm::Plan plan = mpm::plan(scene);
+  const auto points = mpm::make_points<double>(scene, plan);
+  const Eigen::Matrix3d c = mpm::stiffness(*scene.phases[samples::mortar], scene.plane);
+  EXPECT_EQ(points.stiffness[points.at(0, 0, 0)], 0.5 * c(0, 1));
+  EXPECT_EQ(points.shear[points.at(0, 0, 0)], 0.5 * c(2, 2));
+  EXPECT_EQ(points.shear[points.at(0, 1, 0)], c(2, 2));
+  EXPECT_DOUBLE_EQ(mpm::threshold_scale(plan, *scene.phases[samples::mortar], 0.5), 0.5 * plan.cell_size);
 }
 
 TEST(LatticePoints, PaddingCarriesNothingAndNeverFails) {

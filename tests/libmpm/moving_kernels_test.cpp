@@ -127,43 +127,47 @@ TYPED_TEST(MovingKernels, GatherIsExactForLinearFields) {
   const double l[4] = {0.3, -0.7, 0.2, 0.5};
   for (const Method& method : samples::all_methods(0.5)) {
     if (method.scheme != mpm::Scheme::usf) continue;
-    Stage<TypeParam> stage(method);
-    stage.scatter_anywhere(100);
-    std::map<std::uint32_t, std::array<double, 2>> before;
-    stage.for_each_node([&](int row, int col) {
-      const std::size_t at = stage.grid.at(row, col);
-      const double x = stage.node_x(col);
-      const double y = stage.node_y(row);
-      stage.grid.fresh_x[at] = static_cast<TypeParam>(1 + l[0] * x + l[1] * y);
-      stage.grid.fresh_y[at] = static_cast<TypeParam>(2 + l[2] * x + l[3] * y);
-      stage.grid.change_x[at] = static_cast<TypeParam>(0.5 - x);
-      stage.grid.change_y[at] = static_cast<TypeParam>(0.25 + y);
-    });
-    stage.for_each_point([&](const auto& slot) {
-      before[stage.points.id(slot)] = {stage.value(slot, mpm::moving::vx),
-                                       stage.value(slot, mpm::moving::vy)};
-    });
-    double fastest = 0;
-    for (int row = 0; row < stage.points.rows(); ++row)
-      fastest = std::max(fastest, static_cast<double>(stage.sweeps.gather_velocity(
-                                      stage.tiles(row), stage.step, stage.change(row), stage.fresh(row))));
-    double expected_fastest = 0;
-    stage.for_each_point([&](const auto& slot) {
-      const double x = stage.point_x(slot);
-      const double y = stage.point_y(slot);
-      const auto old = before[stage.points.id(slot)];
-      const double pic[2] = {1 + l[0] * x + l[1] * y, 2 + l[2] * x + l[3] * y};
-      const double flip[2] = {old[0] + 0.5 - x, old[1] + 0.25 + y};
-      const double r = method.transfer == mpm::Transfer::apic ? 0 : method.flip_ratio;
-      const double vx = stage.value(slot, mpm::moving::vx);
-      const double vy = stage.value(slot, mpm::moving::vy);
-      EXPECT_NEAR(vx, r * flip[0] + (1 - r) * pic[0], this->rounding) << method.name();
-      EXPECT_NEAR(vy, r * flip[1] + (1 - r) * pic[1], this->rounding) << method.name();
-      expected_fastest = std::max(expected_fastest, vx * vx + vy * vy);
-      const int a = stage.points.layout().affine;
-      for (int k = 0; a >= 0 && k < 4; ++k) EXPECT_NEAR(stage.value(slot, a + k), l[k], 20 * this->rounding);
-    });
-    EXPECT_NEAR(fastest, expected_fastest, 10 * this->rounding);
+    for (const bool folds : {false, true}) {
+      Stage<TypeParam> stage(method);
+      stage.folds = folds;
+      stage.scatter_anywhere(100);
+      std::map<std::uint32_t, std::array<double, 2>> before;
+      stage.for_each_node([&](int row, int col) {
+        const std::size_t at = stage.grid.at(row, col);
+        const double x = stage.node_x(col);
+        const double y = stage.node_y(row);
+        stage.grid.fresh_x[at] = static_cast<TypeParam>(1 + l[0] * x + l[1] * y);
+        stage.grid.fresh_y[at] = static_cast<TypeParam>(2 + l[2] * x + l[3] * y);
+        stage.grid.change_x[at] = static_cast<TypeParam>(0.5 - x);
+        stage.grid.change_y[at] = static_cast<TypeParam>(0.25 + y);
+      });
+      stage.for_each_point([&](const auto& slot) {
+        before[stage.points.id(slot)] = {stage.value(slot, mpm::moving::vx),
+                                         stage.value(slot, mpm::moving::vy)};
+      });
+      double fastest = 0;
+      for (int row = 0; row < stage.points.rows(); ++row)
+        fastest = std::max(fastest, static_cast<double>(stage.sweeps.gather_velocity(
+                                        stage.tiles(row), stage.step, stage.change(row), stage.fresh(row))));
+      double expected_fastest = 0;
+      stage.for_each_point([&](const auto& slot) {
+        const double x = stage.point_x(slot);
+        const double y = stage.point_y(slot);
+        const auto old = before[stage.points.id(slot)];
+        const double pic[2] = {1 + l[0] * x + l[1] * y, 2 + l[2] * x + l[3] * y};
+        const double flip[2] = {old[0] + 0.5 - x, old[1] + 0.25 + y};
+        const double r = method.transfer == mpm::Transfer::apic ? 0 : method.flip_ratio;
+        const double vx = stage.value(slot, mpm::moving::vx);
+        const double vy = stage.value(slot, mpm::moving::vy);
+        EXPECT_NEAR(vx, r * flip[0] + (1 - r) * pic[0], this->rounding) << method.name();
+        EXPECT_NEAR(vy, r * flip[1] + (1 - r) * pic[1], this->rounding) << method.name();
+        expected_fastest = std::max(expected_fastest, vx * vx + vy * vy);
+        const int a = stage.points.layout().affine;
+        for (int k = 0; a >= 0 && k < 4; ++k)
+          EXPECT_NEAR(stage.value(slot, a + k), l[k], 20 * this->rounding);
+      });
+      EXPECT_NEAR(fastest, expected_fastest, 10 * this->rounding);
+    }
   }
 }
 
@@ -196,17 +200,97 @@ TYPED_TEST(MovingKernels, InstructionSetsAgreeToRounding) {
         ++points;
         const auto value = [&](int f) { return static_cast<double>(stage.value(slot, f)); };
         const int f = stage.points.layout().deformation;
-        const std::array<double, 12> now{
-            value(mpm::moving::xi),  value(mpm::moving::eta), value(mpm::moving::vx),
-            value(mpm::moving::vy),  value(mpm::moving::sxx), value(mpm::moving::syy),
-            value(mpm::moving::sxy), value(mpm::moving::volume), value(f), value(f + 1), value(f + 2),
-            value(f + 3)};
+        const std::array<double, 12> now{value(mpm::moving::xi),
+                                         value(mpm::moving::eta),
+                                         value(mpm::moving::vx),
+                                         value(mpm::moving::vy),
+                                         value(mpm::moving::sxx),
+                                         value(mpm::moving::syy),
+                                         value(mpm::moving::sxy),
+                                         value(mpm::moving::volume),
+                                         value(f),
+                                         value(f + 1),
+                                         value(f + 2),
+                                         value(f + 3)};
         const auto [at, first] = reference.try_emplace(stage.points.id(slot), now);
         if (first) return;
         for (std::size_t k = 0; k < now.size(); ++k)
           EXPECT_NEAR(now[k], at->second[k], 10 * this->rounding) << kernels->name << ' ' << method.name();
       });
       EXPECT_EQ(points, 150);
+    }
+  }
+}
+
+// Turned by nodes in rigid rotation, the stress turns with the material and keeps its invariants: Jaumann's
+// rate, its sign and its angle, tan(turn of a step) = spin. The volume grows by 1 + spin^2 in a step because
+// points move along tangents, which is second order in the step.
+TYPED_TEST(MovingKernels, ATurnKeepsTheInvariantsOfTheStress) {
+  for (const auto shape : samples::all_shapes()) {
+    Stage<TypeParam> stage({shape});
+    const double spin = 0.01;  // in a step
+    const int steps = 157;     // a quarter of a turn
+    auto point = stage.point_at(0.313, 0.177);
+    point.values[mpm::moving::sxx] = 1;
+    point.values[mpm::moving::syy] = TypeParam(-0.5);
+    point.values[mpm::moving::sxy] = TypeParam(0.25);
+    stage.points.insert(point);
+    stage.step.dt = 1;
+    stage.for_each_node([&](int row, int col) {
+      stage.grid.fresh_x[stage.grid.at(row, col)] = static_cast<TypeParam>(-spin * stage.node_y(row));
+      stage.grid.fresh_y[stage.grid.at(row, col)] = static_cast<TypeParam>(spin * stage.node_x(col));
+    });
+    std::vector<std::uint8_t> flags(static_cast<std::size_t>(stage.points.blocks()));
+    for (int i = 0; i < steps; ++i)
+      for (int row = 0; row < stage.points.rows(); ++row)
+        (void)stage.sweeps.update_stress(stage.tiles(row), stage.step, stage.fresh(row), flags.data());
+    stage.for_each_point([&](const auto& slot) {
+      const double xx = stage.value(slot, mpm::moving::sxx);
+      const double yy = stage.value(slot, mpm::moving::syy);
+      const double xy = stage.value(slot, mpm::moving::sxy);
+      const double tolerance = 3 * this->rounding;
+      EXPECT_NEAR(xx + yy, 0.5, tolerance);
+      EXPECT_NEAR(std::hypot(0.5 * (xx - yy), xy), std::hypot(0.75, 0.25), tolerance);
+      const double angle = 2 * steps * std::atan(spin);
+      EXPECT_NEAR(0.5 * (xx - yy), 0.75 * std::cos(angle) - 0.25 * std::sin(angle), tolerance);
+      EXPECT_NEAR(xy, 0.75 * std::sin(angle) + 0.25 * std::cos(angle), tolerance);
+      EXPECT_NEAR(stage.value(slot, mpm::moving::volume), std::pow(1 + spin * spin, steps), tolerance);
+    });
+  }
+}
+
+// At a support the quadratic shapes have no weight beyond it, stay complete, and give a point at the support
+// the motion of its node alone.
+TYPED_TEST(MovingKernels, FoldedWeightsEndAtTheSupportAndStayComplete) {
+  for (const auto shape : {mpm::Shape::gimp, mpm::Shape::bspline}) {
+    for (const double x : {0.0, 0.01, 0.024, 0.03, 0.0499, 0.35, 0.66, 0.69, 0.7}) {
+      for (const double y : {0.0, 0.02, 0.25, 0.47, 0.5}) {
+        Stage<TypeParam> stage({shape});
+        auto point = stage.point_at(x, y);
+        point.values[mpm::moving::sxx] = point.values[mpm::moving::syy] = 1;
+        stage.points.insert(point);
+        stage.folds = true;
+        stage.scatter();
+        double w = 0, wx = 0, wy = 0, gx = 0, gy = 0;
+        stage.for_each_node([&](int row, int col) {
+          const double weight = stage.node_sum(stage.momentum, 3, 0, row, col);
+          const bool beyond =
+              row == 0 || col == 0 || row == stage.geometry.nodes_y - 1 || col == stage.geometry.nodes_x - 1;
+          EXPECT_TRUE(!beyond || weight == 0);
+          EXPECT_GE(weight, -this->rounding);
+          w += weight;
+          wx += weight * stage.node_x(col);
+          wy += weight * stage.node_y(row);
+          gx -= stage.node_sum(stage.force, 2, 0, row, col) * stage.node_x(col);
+          gy -= stage.node_sum(stage.force, 2, 1, row, col) * stage.node_y(row);
+          EXPECT_TRUE(x > 0 || col <= 1 || std::abs(weight) < this->rounding);
+        });
+        EXPECT_NEAR(w, 1, this->rounding);
+        EXPECT_NEAR(wx, x, this->rounding);
+        EXPECT_NEAR(wy, y, this->rounding);
+        EXPECT_NEAR(gx, 1, this->rounding);
+        EXPECT_NEAR(gy, 1, this->rounding);
+      }
     }
   }
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,9 @@
 #include "libmpm/scene.hpp"
 
 namespace samples {
+
+/// Whether tests print what they measured: with MESOPIX_FIGURES in the environment.
+inline const bool figures = std::getenv("MESOPIX_FIGURES") != nullptr;
 
 /// A method of moving points.
 struct Method {
@@ -95,8 +100,7 @@ struct Moving {
   mpm::Plan plan;
   mpm::MovingSolver<Real> solver;
 
-  explicit Moving(mpm::Scene what) : Moving(std::move(what), nullptr) {}
-  Moving(mpm::Scene what, std::nullptr_t)
+  explicit Moving(mpm::Scene what)
       : scene(std::move(what)), plan(mpm::plan(scene)), solver(scene, plan, mpm::start_of(scene, plan)) {}
   Moving(const Moving&) = delete;
   Moving& operator=(const Moving&) = delete;

@@ -81,8 +81,8 @@ TEST(Threads, PointsCrossCellsInThoseTests) {
   EXPECT_GT(furthest, 1.5 * it.plan.cell_size);
 }
 
-// A few points alone drift over cells at every offset, so that nodes of any small mass come and go, while they
-// swing against each other. The energy that they hold must not grow beyond what the swing makes of it.
+// A few points alone drift over cells at every offset, so that nodes of any small mass come and go, while
+// they swing against each other. The energy that they hold must not grow beyond what the swing makes of it.
 TEST(LightNodes, DoNotExplode) {
   for (const Method& method : samples::all_methods()) {
     SCOPED_TRACE(method.name());
@@ -105,7 +105,8 @@ TEST(LightNodes, DoNotExplode) {
       most = std::max(most, ledger.kinetic + ledger.elastic);
     }
     for (const auto& p : it.solver.points()) furthest = std::max(furthest, p.x - it.rest_place(p.id).x);
-    std::printf("%-22s %.4f moved %.3f\n", method.name().c_str(), most / start, furthest);
+    if (samples::figures)
+      std::printf("%-22s %.4f moved %.3f\n", method.name().c_str(), most / start, furthest);
     EXPECT_LT(most, 1.2 * start);
     EXPECT_GT(furthest, 2 * it.plan.cell_size);
   }
@@ -130,9 +131,11 @@ TEST(Edges, AClosedOneIsAnErrorWithThePointAndTheStep) {
       (void)mpm::simulate(scene);
       FAIL() << "a point that leaves must not go unseen";
     } catch (const mpm::Diverged& diverged) {
-      EXPECT_THAT(diverged.what(), testing::HasSubstr(across ? "left the grid at the right edge, the point of pixel (row "
-                                                             : "left the grid at the bottom edge, the point of pixel (row "));
-      EXPECT_THAT(diverged.what(), testing::HasSubstr(across ? "motion.right = \"open\"" : "motion.bottom = \"open\""));
+      EXPECT_THAT(diverged.what(),
+                  testing::HasSubstr(across ? "left the grid at the right edge, the point of pixel (row "
+                                            : "left the grid at the bottom edge, the point of pixel (row "));
+      EXPECT_THAT(diverged.what(),
+                  testing::HasSubstr(across ? "motion.right = \"open\"" : "motion.bottom = \"open\""));
       EXPECT_THAT(diverged.what(), testing::HasSubstr("at step "));
       EXPECT_FALSE(diverged.result.history.empty());
     }
@@ -155,13 +158,18 @@ TEST(Edges, AnOpenOneTakesPointsOutAndCountsThemWithTheirEnergy) {
   }
 }
 
-// A block thrown at a wall comes back with its momentum turned round, whatever the method; FLIP and APIC lose
-// to vibration what the wave in the block does not bring back in time.
+// A block thrown at a wall comes back with its momentum turned round, and with no more energy than it had;
+// APIC spends some in the contact.
 TEST(Edges, ABlockReboundsFromAWall) {
   for (const Method& method : samples::all_methods(0.99)) {
     for (const mpm::Edge wall : {mpm::Edge::smooth_wall, mpm::Edge::rough_wall}) {
       for (int side = 0; side < 4; ++side) {
-        const double v[2] = {side == 0 ? -2.0 : side == 1 ? 2.0 : 0.0, side == 2 ? -2.0 : side == 3 ? 2.0 : 0.0};
+        const double v[2] = {side == 0   ? -2.0
+                             : side == 1 ? 2.0
+                                         : 0.0,
+                             side == 2   ? -2.0
+                             : side == 3 ? 2.0
+                                         : 0.0};
         Scene scene = thrown_block(v[0], v[1]);
         scene.motion.left = scene.motion.right = scene.motion.bottom = scene.motion.top = wall;
         method.give_to(scene);
@@ -171,12 +179,15 @@ TEST(Edges, ABlockReboundsFromAWall) {
         while (it.solver.time() < 0.25 && ledger.trouble.empty()) ledger = it.solver.advance(20);
         EXPECT_EQ(ledger.trouble, "") << method.name();
         const samples::Sums after = samples::sums_of(it.solver);
-        const double along = (after.px * before.px + after.py * before.py) / std::pow(std::hypot(before.px, before.py), 2);
-        const double across = (after.px * before.py - after.py * before.px) / std::pow(std::hypot(before.px, before.py), 2);
-        if (wall == mpm::Edge::smooth_wall)
-          std::printf("%-22s %d rebound %.4f across %.1e\n", method.name().c_str(), side, -along, across);
+        const double along =
+            (after.px * before.px + after.py * before.py) / std::pow(std::hypot(before.px, before.py), 2);
+        const double across =
+            (after.px * before.py - after.py * before.px) / std::pow(std::hypot(before.px, before.py), 2);
+        if (samples::figures && side == 0 && wall == mpm::Edge::smooth_wall)
+          std::printf("%-22s rebound %.4f\n", method.name().c_str(), -along);
         EXPECT_NEAR(across, 0, 1e-9) << method.name();
-        EXPECT_LT(along, -0.5) << method.name();
+        EXPECT_LT(along, method.transfer == mpm::Transfer::apic ? -0.75 : -0.96) << method.name();
+        EXPECT_GT(along, -1.03) << method.name();
       }
     }
   }
@@ -203,7 +214,9 @@ TEST(Edges, SmoothWallsLetSlide) {
   }
 }
 
-// Half a specimen with a plane of symmetry moves as the whole one does.
+// Half a specimen with a plane of symmetry moves as the whole one does: to rounding with linear shapes, as
+// long as no point reaches over the plane with GIMP. With B-splines points see a straight line across the
+// plane and not the parabola of the whole, which is of second order in the cell; there are four.
 TEST(Edges, APlaneOfSymmetryStandsForTheOtherHalf) {
   for (const auto shape : samples::all_shapes()) {
     Scene whole = samples::soft_body(8, 16, 0.05, 0.3);
@@ -229,8 +242,11 @@ TEST(Edges, APlaneOfSymmetryStandsForTheOtherHalf) {
           error = std::max({error, std::abs(p.stress.xx - q.stress.xx), std::abs(p.stress.yy - q.stress.yy)});
           size = std::max({size, std::abs(p.stress.xx), std::abs(p.stress.yy)});
         }
-    std::printf("symmetry, shape %d: stress differs by %.2e of %.3g\n", static_cast<int>(shape), error / size, size);
-    EXPECT_LT(error, 0.2 * size);
+    if (samples::figures)
+      std::printf("symmetry, shape %d: stress differs by %.2e of its largest\n", static_cast<int>(shape),
+                  error / size);
+    const double tolerance = shape == mpm::Shape::linear ? 1e-12 : shape == mpm::Shape::gimp ? 1e-3 : 0.1;
+    EXPECT_LT(error, tolerance * size);
   }
 }
 
@@ -241,6 +257,7 @@ Scene pressed_block(mpm::Direction direction, bool separation) {
   scene.loading.velocity = 0.5;
   scene.loading.ramp_time = 0.01;
   scene.loading.stop_strain = 0.02;
+  scene.loading.duration = 0;
   scene.loading.separation = separation;
   scene.local_damping = 0.3;
   scene.motion.margin = 0.1;
@@ -248,13 +265,10 @@ Scene pressed_block(mpm::Direction direction, bool separation) {
   return scene;
 }
 
-TEST(Platens, WithSeparationTensionCarriesNothing) {
+TEST(Platens, PullWithTheModulusOfTheBlock) {
   for (const auto shape : samples::all_shapes()) {
-    Scene scene = pressed_block(mpm::Direction::tension, true);
+    Scene scene = pressed_block(mpm::Direction::tension, false);
     scene.motion.shape = shape;
-    const mpm::Result free = mpm::simulate(scene);
-    for (const auto& row : free.history) EXPECT_NEAR(row.stress, 0, 1e-6) << "at strain " << row.strain;
-    scene.loading.separation = false;
     EXPECT_NEAR(mpm::simulate(scene).history.back().stress, 0.02 * 1e7, 0.05 * 0.02 * 1e7);
   }
 }
@@ -286,9 +300,8 @@ TEST(Platens, PointsStretchWithThePlatenInBothPrecisions) {
   };
   const double in_double = worst(0.0);
   const double in_single = worst(0.0F);
-  std::printf("platen: double %.2e single %.2e\n", in_double, in_single);
-  EXPECT_LT(in_double, 0.05);
-  EXPECT_LT(in_single, 0.05);
+  EXPECT_LT(in_double, 0.08) << "what the waves of a fast platen leave";
+  EXPECT_NEAR(in_single, in_double, 1e-3);
 }
 
 TEST(TimeStep, ShrinksWithTheSpeedOfThePoints) {

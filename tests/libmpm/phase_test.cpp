@@ -61,7 +61,15 @@ TEST(Validate, NamesTheFirstValueOutOfRange) {
   EXPECT_EQ(message_of(phase, Plane::strain), "phases.mortar.weibull_modulus: 0; must be > 0");
   phase = mortar();
   phase.friction_angle = 2;
-  EXPECT_THAT(message_of(phase, Plane::strain), testing::HasSubstr("must lie in [0, 90) deg"));
+  EXPECT_EQ(message_of(phase, Plane::strain),
+            "phases.mortar.friction_angle: 114.592 deg; must lie in [0, 90) deg");
+  phase = mortar();
+  phase.poisson = -0.1;
+  EXPECT_THAT(message_of(phase, Plane::strain),
+              testing::HasSubstr("phases.mortar.poisson: -0.1; must lie in"));
+  phase = mortar();
+  phase.density = 0;
+  EXPECT_EQ(message_of(phase, Plane::strain), "phases.mortar.density: 0 kg/m3; must be > 0");
 }
 
 TEST(Validate, RefusesNotANumberEverywhere) {

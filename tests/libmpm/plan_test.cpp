@@ -45,6 +45,29 @@ TEST(Plan, LeavesOutWhatTheSceneDoesNotNeed) {
   EXPECT_FALSE(mpm::plan(scene).features.crack_closure) << "what cannot crack has no crack to close";
 }
 
+TEST(Plan, ExtraPointsCountAmongThePhases) {
+  mpm::Scene scene = samples::mortar_block(4, 4);
+  const double dt = mpm::plan(scene).dt;
+  scene.extra_points = {{1e-3, 1e-3, samples::aggregate}};
+  EXPECT_NEAR(mpm::plan(scene).dt, dt / std::sqrt(2.0), 1e-12 * dt);
+}
+
+TEST(Plan, RampsOverTwoTransitsOfTheSlowestWaveUnlessTold) {
+  mpm::Scene scene = samples::mortar_block(40, 40);
+  scene.labels(0, 0) = samples::aggregate;
+  scene.labels(0, 1) = samples::itz;
+  const double slowest = mpm::wave_speed(*scene.phases[samples::itz], scene.plane);
+  EXPECT_NEAR(mpm::plan(scene).ramp_time, 2 * 20e-3 / slowest, 1e-15);
+  scene.labels(0, 2) = samples::itz;
+  scene.labels(0, 1) = samples::aggregate;
+  scene.phases[samples::itz]->young = 60e9;
+  EXPECT_NEAR(mpm::plan(scene).ramp_time,
+              2 * 20e-3 / mpm::wave_speed(*scene.phases[samples::mortar], scene.plane), 1e-15);
+  EXPECT_NEAR(mpm::plan(scene).wave_speed, mpm::wave_speed(*scene.phases[samples::itz], scene.plane), 1e-9);
+  scene.loading.ramp_time = 3e-5;
+  EXPECT_EQ(mpm::plan(scene).ramp_time, 3e-5);
+}
+
 TEST(Plan, AnEndlessRunIsRefused) {
   mpm::Scene scene = samples::mortar_block(4, 4);
   scene.loading.velocity = 1e-14;

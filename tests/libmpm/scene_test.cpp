@@ -49,6 +49,41 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
             "specimen.extra_points: (1 m, 0 m); must lie inside the specimen");
   EXPECT_EQ(message_after([](Scene& s) { s.damage.residual_stiffness = 1; }),
             "damage.residual_stiffness: 1; must lie in [0, 1)");
+  EXPECT_EQ(message_after([](Scene& s) { s.loading.stop_strain = 1; }),
+            "loading.stop_strain: 1; must lie in (0, 1)");
+  EXPECT_EQ(message_after([](Scene& s) { s.local_damping = 1; }),
+            "solver.local_damping: 1; must lie in [0, 1)");
+  EXPECT_EQ(message_after([](Scene& s) { s.history_rows = 9; }), "output.history_rows: 9; must be >= 10");
+  EXPECT_EQ(message_after([](Scene& s) { s.phases[samples::mortar]->young = 0; }),
+            "phases.mortar.young: 0 Pa; must be > 0");
+}
+
+TEST(Validate, WantsWholeCellsBothWays) {
+  EXPECT_NE(message_after([](Scene& s) { s.labels.setConstant(5, 4, 2); }), "valid");
+  EXPECT_NE(message_after([](Scene& s) { s.labels.setConstant(4, 5, 2); }), "valid");
+  EXPECT_EQ(message_after([](Scene& s) {
+              s.points_per_cell = 3;
+              s.labels.setConstant(6, 9, 2);
+            }),
+            "valid");
+}
+
+TEST(Validate, WantsExtraPointsOnOrWithinEveryEdge) {
+  const auto with_point = [](double x, double y) {
+    return message_after([=](Scene& s) { s.extra_points.push_back({x, y, 3}); });
+  };
+  for (const double inside : {0.0, 1e-3, 2e-3}) {
+    EXPECT_EQ(with_point(inside, 1e-3), "valid");
+    EXPECT_EQ(with_point(1e-3, inside), "valid");
+  }
+  for (const double outside : {-1e-9, 2.001e-3}) {
+    EXPECT_NE(with_point(outside, 1e-3), "valid");
+    EXPECT_NE(with_point(1e-3, outside), "valid");
+  }
+}
+
+TEST(Validate, AsksNothingOfPhasesThatDoNotOccur) {
+  EXPECT_EQ(message_after([](Scene& s) { s.phases[samples::aggregate]->young = 0; }), "valid");
 }
 
 /// A change to a scene without platens that is else valid.

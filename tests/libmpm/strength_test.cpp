@@ -76,6 +76,20 @@ TEST(Shear, FollowsMohrCoulomb) {
   EXPECT_TRUE(mpm::fails_in_shear(phase, 0.3, {0, -0.3 * strength * 1.001, 0}));
 }
 
+TEST(Shear, IsHeldBackByConfinementAndHelpedByTension) {
+  const Phase phase = mortar();
+  const double sine = std::sin(phase.friction_angle);
+  const double cosine = std::cos(phase.friction_angle);
+  for (const double s1 : {-40e6, 5e6}) {
+    // -s3 (1 - sin) = q (2 c cos - s1 (1 + sin)), whichever of the three stresses is the least.
+    const double s3 = -0.3 * (2 * 150e6 * cosine - s1 * (1 + sine)) / (1 - sine);
+    EXPECT_FALSE(mpm::fails_in_shear(phase, 0.3, {s1, s3 * 0.999, s1}));
+    EXPECT_TRUE(mpm::fails_in_shear(phase, 0.3, {s1, s3 * 1.001, s1}));
+    EXPECT_FALSE(mpm::fails_in_shear(phase, 0.3, {s1, s1, s3 * 0.999}));
+    EXPECT_TRUE(mpm::fails_in_shear(phase, 0.3, {s1, s1, s3 * 1.001}));
+  }
+}
+
 TEST(Shear, NeedsCompressionAndFailsWhereTheBracketIsGone) {
   const Phase phase = mortar();
   EXPECT_FALSE(mpm::fails_in_shear(phase, 1, {1e12, 0, 0})) << "s3 = 0 is no shear failure";
@@ -95,6 +109,8 @@ TEST(ShearOnset, NeverMissesAFailure) {
       const PrincipalStress below{s1, std::min(-onset * 0.999999, 0.0), s1};
       EXPECT_FALSE(mpm::fails_in_shear(phase, factor, below)) << "q = " << factor << ", s1 = " << s1;
     }
+    const PrincipalStress beyond{tension, -onset * 1.000001 - 1, tension};
+    EXPECT_TRUE(mpm::fails_in_shear(phase, factor, beyond)) << "an onset too low costs time";
   }
 }
 

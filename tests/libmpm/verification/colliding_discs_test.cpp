@@ -22,32 +22,44 @@ mpm::Scene two_discs() {
   return scene;
 }
 
-TEST(CollidingDiscs, Figures) {
+// Momentum stays to rounding. Energy is not made, beyond what crossing cells gives and takes with linear
+// shapes, and FLIP keeps most of it with smooth ones; APIC spends some in the contact. The discs part again.
+void expect_rebound(mpm::Shape shape) {
   for (const Method& method : samples::all_methods(0.99)) {
+    if (method.shape != shape) continue;
+    SCOPED_TRACE(method.name());
     mpm::Scene scene = two_discs();
     method.give_to(scene);
     Moving<double> it(scene);
-    it.solver.kick([](const mpm::PointView& p, double& vx, double& vy) {
-      vx = vy = p.x + p.y < 1 ? 1.5 : -1.5;
-    });
+    it.solver.kick(
+        [](const mpm::PointView& p, double& vx, double& vy) { vx = vy = p.x + p.y < 1 ? 1.5 : -1.5; });
     const samples::Sums before = samples::sums_of(it.solver);
-    double least = 1e30, most = 0, turned = 0;
+    double most = 0, rebound = 0;
     mpm::Ledger ledger;
     while (it.solver.time() < 0.16 && ledger.trouble.empty()) {
       ledger = it.solver.advance(10);
-      least = std::min(least, ledger.kinetic + ledger.elastic);
-      most = std::max(most, ledger.kinetic + ledger.elastic);
+      most = std::max(most, (ledger.kinetic + ledger.elastic) / before.kinetic);
     }
+    ASSERT_EQ(ledger.trouble, "");
     for (const auto& p : it.solver.points()) {
       const auto rest = it.rest_place(p.id);
-      turned += p.mass * (p.vx + p.vy) * (rest.x + rest.y < 1 ? -1 : 1);
+      rebound += p.mass * (p.vx + p.vy) * (rest.x + rest.y < 1 ? -1 : 1) / (3 * before.mass);
     }
     const samples::Sums after = samples::sums_of(it.solver);
-    std::printf("%-22s energy %.4f..%.4f end kin %.4f  rebound %.4f  momentum %.1e %s steps %ld\n", method.name().c_str(),
-                least / before.kinetic, most / before.kinetic, after.kinetic / before.kinetic,
-                turned / (3 * before.mass), std::hypot(after.px, after.py) / (before.mass * 1.5),
-                ledger.trouble.c_str(), static_cast<long>(it.solver.steps()));
+    const double kept = (ledger.kinetic + ledger.elastic) / before.kinetic;
+    if (samples::figures)
+      std::printf("%-22s energy at most %.4f, kept %.4f, rebound %.4f\n", method.name().c_str(), most, kept,
+                  rebound);
+    EXPECT_LT(std::hypot(after.px, after.py), 1e-9 * before.mass);
+    EXPECT_LT(most, shape == mpm::Shape::linear ? 1.25 : 1.03);
+    if (method.transfer == mpm::Transfer::flip && method.flip_ratio >= 1 && shape == mpm::Shape::gimp) {
+      EXPECT_NEAR(kept, 1, 0.06);
+    }
+    EXPECT_GT(rebound, method.transfer == mpm::Transfer::apic ? 0.65 : 0.85);
   }
 }
+TEST(CollidingDiscs, PartAgainWithLinearShapes) { expect_rebound(mpm::Shape::linear); }
+TEST(CollidingDiscs, PartAgainWithGimp) { expect_rebound(mpm::Shape::gimp); }
+TEST(CollidingDiscs, PartAgainWithBSplines) { expect_rebound(mpm::Shape::bspline); }
 
 }  // namespace

@@ -6,7 +6,10 @@
 
 namespace {
 
-TEST(Layers, Figures) {
+// The interfaces lie on edges of cells, where linear and GIMP points do not reach over them: what remains is
+// what the slow loading leaves of waves, and with B-splines the smoothing over the interface, which falls
+// with the cell.
+TEST(Layers, GiveReussAcrossAndVoigtAlong) {
   for (const auto shape : samples::all_shapes()) {
     for (const int pixels : {16, 32}) {
       for (const bool along : {false, true}) {
@@ -19,8 +22,11 @@ TEST(Layers, Figures) {
         else
           scene.labels.topRows(pixels / 2).setConstant(2);
         const double exact = along ? 1.5e7 : 1 / (0.5 / 1e7 + 0.5 / 2e7);
-        std::printf("shape %d %d %s: %+.4f\n", static_cast<int>(shape), pixels, along ? "Voigt" : "Reuss",
-                    samples::solve(scene).modulus / exact - 1);
+        const double error = samples::solve(scene).modulus / exact - 1;
+        if (samples::figures)
+          std::printf("shape %d, %d pixels, %s: %+.4f\n", static_cast<int>(shape), pixels,
+                      along ? "Voigt" : "Reuss", error);
+        EXPECT_NEAR(error, 0, pixels == 16 ? 8e-3 : 3e-3);
       }
     }
   }

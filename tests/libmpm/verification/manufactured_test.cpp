@@ -5,7 +5,8 @@
 // s_xx = (l + 2 m) ln Fx + l ln Fy. With P = J s F^-T, P_xx = Fy s_xx and the balance of momentum
 // rho0 u_tt = P_xx,X + rho0 b, where ln Fy does not depend on X, the body force is
 // b_x = u_tt - Fy (l + 2 m) Fx,X / (Fx rho0); b_y alike.
-// Source: method of manufactured solutions for MPM, Steffen, Wallstedt, Guilkey, Kirby, Berzins, CMES 31 (2008).
+// Source: method of manufactured solutions for MPM, Steffen, Wallstedt, Guilkey, Kirby, Berzins, CMES 31
+// (2008).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,12 +39,9 @@ struct Solution {
   }
 };
 
-struct Outcome {
-  double error = 0;  ///< root of the mean square of the displacement's error, largest in time, over A
-  int crossings = 0;
-};
-
-Outcome run(const Method& method, int cells, double amplitude, double cfl) {
+/// Root of the mean square of the displacement's error, the largest in time, over A.
+double error(const Method& method, int cells, double amplitude) {
+  const double cfl = 0.4;
   mpm::Scene scene = samples::soft_body(2 * cells, 2 * cells, 0.5 / cells, 0.3);
   scene.motion.left = scene.motion.right = scene.motion.bottom = scene.motion.top = mpm::Edge::symmetry;
   scene.cfl = cfl;
@@ -56,7 +54,7 @@ Outcome run(const Method& method, int cells, double amplitude, double cfl) {
     vx = wave * pi * exact.amplitude * std::sin(2 * pi * p.x);
     vy = wave * pi * exact.amplitude * std::sin(2 * pi * p.y);
   });
-  Outcome outcome;
+  double worst = 0;
   const double end = 1.5 / wave;  // out, back and through
   while (it.solver.time() < end) {
     // The impulse of the body force is that of the step to come, whose length the fastest point decides.
@@ -70,10 +68,8 @@ Outcome run(const Method& method, int cells, double amplitude, double cfl) {
       vy += dt * exact.body_force(rest.y, rest.x, t);
     });
     const mpm::Ledger ledger = it.solver.advance(1);
-    if (!ledger.trouble.empty()) {
-      std::printf("%s\n", ledger.trouble.c_str());
-      return {1, 0};
-    }
+    EXPECT_EQ(ledger.trouble, "");
+    if (!ledger.trouble.empty()) return 1e3;
     double square = 0;
     int points = 0;
     for (const auto& p : it.solver.points()) {
@@ -82,24 +78,58 @@ Outcome run(const Method& method, int cells, double amplitude, double cfl) {
                 std::pow(p.y - rest.y - exact.u(rest.y, it.solver.time()), 2);
       ++points;
     }
-    outcome.error = std::max(outcome.error, std::sqrt(square / points) / amplitude);
+    worst = std::max(worst, std::sqrt(square / points) / amplitude);
   }
-  return outcome;
+  return worst;
 }
 
-TEST(Manufactured, Figures) {
-  for (const double amplitude : {1e-4, 0.05}) {
-    for (const Method& method : samples::all_methods(0.9)) {
-      if (method.flip_ratio < 1) continue;
-      std::vector<double> sizes, errors;
-      for (const int cells : {8, 16, 32}) {
-        sizes.push_back(1.0 / cells);
-        errors.push_back(run(method, cells, amplitude, 0.4).error);
-      }
-      std::printf("A %.4f %-22s %.3e %.3e %.3e  order %.2f\n", amplitude, method.name().c_str(), errors[0], errors[1],
-                  errors[2], samples::fitted_order(sizes, errors));
-    }
+double order(const Method& method, double amplitude, const std::vector<int>& grids) {
+  std::vector<double> sizes, errors;
+  for (const int cells : grids) {
+    sizes.push_back(1.0 / cells);
+    errors.push_back(error(method, cells, amplitude));
   }
+  const double result = samples::fitted_order(sizes, errors);
+  if (samples::figures)
+    std::printf("A %.4f %-16s error %.2e .. %.2e order %.2f\n", amplitude, method.name().c_str(),
+                errors.front(), errors.back(), result);
+  return result;
+}
+
+// The body force comes as a kick before the step. USF would strain the points with it before the stress has
+// answered, which is of first order in the step and says nothing of the scheme: left out here.
+std::vector<Method> methods(mpm::Shape shape) {
+  std::vector<Method> all;
+  for (const auto scheme : {mpm::Scheme::usl, mpm::Scheme::musl})
+    for (const auto transfer : {mpm::Transfer::flip, mpm::Transfer::apic})
+      all.push_back({shape, scheme, transfer, 1});
+  return all;
+}
+
+// While no point crosses a cell every shape is of second order.
+TEST(Manufactured, SmallDeformationIsOfSecondOrderWithEveryShape) {
+  for (const auto shape : samples::all_shapes())
+    for (const Method& method : methods(shape)) EXPECT_GT(order(method, 1e-4, {8, 16}), 1.9) << method.name();
+}
+
+// Displacements of 0.05 take points over up to two cells. The gradient of linear shapes jumps there, by an
+// amount that does not fall with the cell: no convergence. Smooth shapes keep close to second order with
+// FLIP; APIC smooths with a viscosity of about c h, so that it falls to first order, at a smaller error on
+// coarse grids. Source: Steffen, Kirby, Berzins, IJNME 76 (2008), on the errors of quadrature and of
+// crossing.
+TEST(Manufactured, LinearShapesDoNotConvergeOnceTheyCrossCells) {
+  EXPECT_LT(order({mpm::Shape::linear, mpm::Scheme::musl}, 0.05, {8, 16, 32}), 0.6);
+  EXPECT_LT(order({mpm::Shape::linear, mpm::Scheme::musl, mpm::Transfer::apic}, 0.05, {8, 16, 32}), 0.6);
+}
+TEST(Manufactured, GimpConvergesOverCells) {
+  EXPECT_GT(order({mpm::Shape::gimp, mpm::Scheme::musl}, 0.05, {8, 16, 32}), 1.7);
+  EXPECT_GT(order({mpm::Shape::gimp, mpm::Scheme::usl}, 0.05, {8, 16}), 1.5);
+  EXPECT_GT(order({mpm::Shape::gimp, mpm::Scheme::musl, mpm::Transfer::apic}, 0.05, {8, 16, 32}), 0.9);
+}
+TEST(Manufactured, BSplinesConvergeOverCells) {
+  EXPECT_GT(order({mpm::Shape::bspline, mpm::Scheme::musl}, 0.05, {8, 16, 32}), 1.7);
+  EXPECT_GT(order({mpm::Shape::bspline, mpm::Scheme::usl}, 0.05, {8, 16}), 1.5);
+  EXPECT_GT(order({mpm::Shape::bspline, mpm::Scheme::musl, mpm::Transfer::apic}, 0.05, {8, 16, 32}), 0.9);
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ inline StaticPlate solve(mpm::Scene scene) {
     const int row = static_cast<int>(id / cols);
     const int col = static_cast<int>(id % cols);
     result.points.push_back({(col + 0.5) * scene.pixel_size - 0.5 * scene.width(),
-                             0.5 * scene.height() - (row + 0.5) * scene.pixel_size, scene.labels(row, col),
+                             0.5 * scene.height() - (row + 0.5) * scene.pixel_size,
+                             scene.labels(row, col),
                              {s.xx / load, s.yy / load, s.xy / load}});
   };
   const auto load_of = [&](const mpm::Ledger& ledger) {
