@@ -20,7 +20,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
 TEST(CurveCsv, NamesEveryColumnWithItsUnit) {
   EXPECT_EQ(output::curve_csv({}),
             "time_s,strain,stress_Pa,stress_top_Pa,stress_bottom_Pa,platen_work_J_per_m,kinetic_J_per_m,"
-            "elastic_J_per_m,released_J_per_m,damped_J_per_m,tension_failures,shear_failures\n");
+            "elastic_J_per_m,released_J_per_m,damped_J_per_m,left_J_per_m,tension_failures,shear_failures,"
+            "left_points,moving_points\n");
 }
 
 TEST(CurveCsv, ReadsBackAsTheSameNumbers) {

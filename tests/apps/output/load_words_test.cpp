@@ -68,7 +68,7 @@ TEST(LoadWords, NameTheKinematics) {
   scene.motion.scheme = mpm::Scheme::usl;
   scene.motion.flip_ratio = 0.95;
   EXPECT_EQ(output::name_of_kinematics(scene),
-            "small strain, then moving points (B-spline, USL, 95.0 % FLIP)");
+            "small strain, then moving points (B-spline, USL, 95.0\u00a0% FLIP)");
   scene.motion.transfer = mpm::Transfer::apic;
   EXPECT_THAT(output::name_of_kinematics(scene), HasSubstr("APIC"));
 }
