@@ -13,8 +13,8 @@ namespace mpm {
 struct MovingPlan {
   moving::Features features;        ///< what their sweeps are compiled with
   moving::OptionalFields optional;  ///< numbers of a point that this run carries
-  bool mapped_back = true;          ///< the new momentum goes to the nodes once more (MUSL, and USL with APIC)
-  double half_size = 0.5;           ///< of a point, over the size of a cell [-]
+  bool mapped_back = true;  ///< the new momentum goes to the nodes once more (MUSL, and USL with APIC)
+  double half_size = 0.5;   ///< of a point, over the size of a cell [-]
   int margin_left = 0, margin_right = 0, margin_bottom = 0, margin_top = 0;  ///< cells beyond the picture
 };
 
