@@ -1,0 +1,91 @@
+/// A vector of the instruction set that a file is compiled for, and records of points in it. Private to
+/// moving_kernels.cpp.
+#pragma once
+
+#include "libmpm/moving_kernels.hpp"
+#include "libmpm/unroll.hpp"
+
+namespace mpm::moving {
+namespace {  // a copy for each instruction set
+
+#if defined(__AVX512F__)
+constexpr int vector_bytes = 64;
+#elif defined(__AVX2__)
+constexpr int vector_bytes = 32;
+#else
+constexpr int vector_bytes = 16;
+#endif
+
+/// A vector of the instruction set, a number per tile. The compiler's own vectors, so that no loop depends on
+/// whether it finds out by itself that lanes are independent.
+template <class Real>
+struct PackOf;
+template <>
+struct PackOf<float> {
+  typedef float type __attribute__((vector_size(vector_bytes)));
+};
+template <>
+struct PackOf<double> {
+  typedef double type __attribute__((vector_size(vector_bytes)));
+};
+template <class Real>
+using Pack = typename PackOf<Real>::type;
+template <class Real>
+using Mask = decltype(Pack<Real>{} < Pack<Real>{});
+template <class Real>
+constexpr int lanes = vector_bytes / static_cast<int>(sizeof(Real));
+
+template <class Real>
+MPM_INLINE Pack<Real> load(const Real* from) {
+  Pack<Real> pack;
+  __builtin_memcpy(&pack, from, sizeof pack);
+  return pack;
+}
+template <class Real>
+MPM_INLINE void store(Real* to, const Pack<Real>& pack) {
+  __builtin_memcpy(to, &pack, sizeof pack);
+}
+template <class Real>
+MPM_INLINE Pack<Real> all(Real value) {
+  return value - Pack<Real>{};
+}
+template <class Real>
+MPM_INLINE bool any_of(const Mask<Real>& mask) {
+  auto any = mask[0];
+  for (int i = 1; i < lanes<Real>; ++i) any |= mask[i];
+  return any != 0;
+}
+
+/// Record of a block of a row.
+template <class Real>
+MPM_INLINE Real* record_of(const TileRow<Real>& row, int block, int slot) {
+  return row.records + static_cast<std::ptrdiff_t>(row.begin[block] + slot) * row.layout.fields * lanes<Real>;
+}
+template <class Real>
+MPM_INLINE Pack<Real> field(const Real* record, int index) {
+  return load<Real>(record + index * lanes<Real>);
+}
+template <class Real>
+MPM_INLINE void set_field(Real* record, int index, const Pack<Real>& value) {
+  store<Real>(record + index * lanes<Real>, value);
+}
+
+/// Asks the cache for fields `first` to `last` of a record that comes soon: their lines are too far apart for
+/// the processor to foresee.
+template <class Real, int first, int last>
+MPM_INLINE void fetch_ahead(const TileRow<Real>& row, const Real* record) {
+  constexpr int records = 3;
+  const Real* ahead = record + records * row.layout.fields * lanes<Real>;
+  unrolled<last - first + 1>(
+      [&](auto i) MPM_INLINE_LAMBDA { __builtin_prefetch(ahead + (first + i.value) * lanes<Real>); });
+}
+
+template <class Real, int N, int quantities>
+MPM_INLINE void store_sums(const Sums<Real>& out, int tile, const Pack<Real> (&sums)[N * N * quantities]) {
+  unrolled<N * N * quantities>([&](auto plane) MPM_INLINE_LAMBDA {
+    store<Real>(out.values + plane.value * out.length + tile, sums[plane.value]);
+  });
+}
+
+}  // namespace
+}  // namespace mpm::moving

@@ -1,0 +1,227 @@
+// Moving points on their way into the solver and out of it.
+#include "libmpm/moving_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "libmpm/instruction_set.hpp"
+#include "libmpm/lattice_points.hpp"
+#include "libmpm/strength.hpp"
+
+namespace mpm {
+namespace {
+
+/// Mass of the lightest pixel that the scene can hold [kg/m].
+double lightest_point(const Scene& scene) {
+  double lightest = Phase::unbreakable;
+  for (const auto label : scene.labels.reshaped())
+    if (scene.phases[label]) lightest = std::min(lightest, scene.phases[label]->density);
+  for (const auto& point : scene.extra_points)
+    if (scene.phases[point.phase]) lightest = std::min(lightest, scene.phases[point.phase]->density);
+  return lightest * scene.pixel_size * scene.pixel_size;
+}
+
+template <class Real>
+moving::Integrate<Real> undamped_integrate(const Scene& scene, moving::Features features) {
+  features.damping = false;
+  return chosen_moving_kernels(scene.instruction_set).template sweeps<Real>(features).integrate;
+}
+
+}  // namespace
+
+template <class Real>
+MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingStart start)
+    : scene_(scene),
+      plan_(plan),
+      sweeps_(chosen_moving_kernels(scene.instruction_set).template sweeps<Real>(plan.moving.features)),
+      integrate_undamped_(undamped_integrate<Real>(scene, plan.moving.features)),
+      geometry_(moving_geometry(scene, plan)),
+      supports_(supports_of(scene)),
+      grid_(make_moving_grid<Real>(geometry_)),
+      bands_(make_bands(scene, geometry_)),
+      momentum_(geometry_, 3, band_ends()),
+      force_(geometry_, 2, band_ends()),
+      points_(geometry_.tiles_y, geometry_.tiles_x, sweeps_.lanes, record_layout(plan.moving.optional)),
+      contact_(grid_.mass.size(), std::uint8_t{0}),
+      row_impulses_(static_cast<std::size_t>(geometry_.nodes_y)),
+      row_damped_(static_cast<std::size_t>(geometry_.nodes_y), 0.0),
+      live_(scene.phases.size(), 0),
+      speeds_(scene.phases.size(), 0.0),
+      start_(start.tally),
+      sums_(start.tally),
+      maps_(std::move(start.maps)) {
+  clock_.step = start.step;
+  clock_.time = reported_time_ = start.time;
+  clock_.displacement = reported_displacement_ = start.platen_displacement;
+  clock_.velocity = start.platen_velocity;
+  for (std::size_t label = 0; label < scene.phases.size(); ++label)
+    if (scene.phases[label]) speeds_[label] = wave_speed(*scene.phases[label], scene.plane);
+  const double lightest = lightest_point(scene);
+  // Lighter nodes are rounding: they take part in nothing.
+  least_mass_ = static_cast<Real>(1e-12 * lightest);
+  // A point alone on a node of weight S swings with c / (h sqrt S), for which the step that suits a full cell
+  // is too long below S = cfl^2 / 4; four times that leaves room for several such nodes at a point. Where the
+  // stress follows the new velocity of the nodes (USL), lighter nodes answer to forces as if they had that
+  // mass.
+  light_mass_ = static_cast<Real>(scene.cfl * scene.cfl * lightest);
+  slopes_from_straining_ = scene.motion.transfer == Transfer::apic && scene.motion.shape == Shape::linear;
+  step_.half_size = static_cast<Real>(plan.moving.half_size);
+  step_.hx = static_cast<Real>(plan.cell_size);
+  step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
+  step_.unilateral = static_cast<Real>(scene.damage.crack_closure == CrackClosure::unilateral ? 1 : 0);
+  load_points(start.points);
+  for (Band& band : bands_) band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
+}
+
+template <class Real>
+std::vector<typename MovingSolver<Real>::Band> MovingSolver<Real>::make_bands(
+    const Scene& scene, const MovingGeometry& geometry) {
+  // Two bands must not meet in one row of nodes with a third.
+  const int most = std::max(1, geometry.tiles_y / (geometry.reach - 1));
+  const int count = std::clamp(scene.threads, 1, most);
+  std::vector<Band> bands(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    Band& band = bands[static_cast<std::size_t>(i)];
+    band.begin = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * i / count);
+    band.end = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * (i + 1) / count);
+    band.failed.assign(scene.phases.size(), 0);
+  }
+  return bands;
+}
+
+template <class Real>
+std::vector<int> MovingSolver<Real>::band_ends() const {
+  std::vector<int> ends;
+  for (const Band& band : bands_) ends.push_back(band.end);
+  return ends;
+}
+
+template <class Real>
+double MovingSolver<Real>::cell_height(double displacement) const {
+  return (plan_.cell_size * geometry_.cells_y + displacement) / geometry_.cells_y;
+}
+
+template <class Real>
+TilePlace MovingSolver<Real>::place_of(double x, double y, Real& xi, Real& eta) const {
+  const double tile_x = (x - geometry_.left) / plan_.cell_size - geometry_.tile_offset;
+  const double tile_y = (y - geometry_.bottom) / cell_height(clock_.displacement) - geometry_.tile_offset;
+  const int col = std::clamp(static_cast<int>(std::floor(tile_x)), 0, geometry_.tiles_x - 1);
+  const int row = std::clamp(static_cast<int>(std::floor(tile_y)), 0, geometry_.tiles_y - 1);
+  xi = static_cast<Real>(tile_x - col);
+  eta = static_cast<Real>(tile_y - row);
+  return {row, col};
+}
+
+template <class Real>
+typename MovingSolver<Real>::Loose MovingSolver<Real>::loose_point(const StartPoint& point) const {
+  using namespace moving;
+  const PointOrigin origin = origin_of(scene_, point.id);
+  const Phase& phase = *origin.phase;
+  const Eigen::Matrix3d c = stiffness(phase, scene_.plane);
+  Loose loose;
+  loose.id = point.id;
+  auto& v = loose.values;
+  loose.tile = place_of(point.x, point.y, v[xi], v[eta]);
+  v[vx] = static_cast<Real>(point.vx);
+  v[vy] = static_cast<Real>(point.vy);
+  v[mass] = static_cast<Real>(point.mass);
+  v[volume] = static_cast<Real>(point.volume);
+  v[sxx] = static_cast<Real>(point.stress.xx);
+  v[syy] = static_cast<Real>(point.stress.yy);
+  v[sxy] = static_cast<Real>(point.stress.xy);
+  v[lame] = static_cast<Real>(point.kept * c(0, 1));
+  v[shear] = static_cast<Real>(point.kept * c(2, 2));
+  const RecordLayout& layout = points_.layout();
+  const auto at = [&](int field) -> Real& { return v[static_cast<std::size_t>(field)]; };
+  const bool fails = phase.can_fail() && !point.ghost;
+  const double factor = fails ? strength_factor(origin.random, phase.weibull_modulus) : 1;
+  const double onset = point.cracked ? 0 : tension_threshold(phase, factor);
+  if (layout.tension >= 0)
+    at(layout.tension) =
+        static_cast<Real>(fails && !point.cracked ? stored_threshold(onset, 1) : kernels::unreachable);
+  if (layout.crush >= 0)
+    at(layout.crush) = static_cast<Real>(fails ? stored_threshold(shear_onset(phase, factor, onset), 1)
+                                               : kernels::unreachable);
+  if (layout.cracked >= 0) at(layout.cracked) = point.cracked ? 1 : 0;
+  if (layout.deformation >= 0) at(layout.deformation) = at(layout.deformation + 3) = 1;
+  return loose;
+}
+
+template <class Real>
+void MovingSolver<Real>::load_points(const std::vector<StartPoint>& points) {
+  double fastest = 0;
+  for (const StartPoint& point : points) {
+    points_.insert(loose_point(point));
+    if (!point.ghost || point.kept > 0) ++live_[origin_of(scene_, point.id).label];
+    fastest = std::max(fastest, point.vx * point.vx + point.vy * point.vy);
+  }
+  start_fastest_ = static_cast<Real>(fastest);
+}
+
+template <class Real>
+PointView MovingSolver<Real>::view(const Slot& slot) const {
+  const auto value = [&](int field) { return static_cast<double>(points_.value(slot, field)); };
+  PointView point;
+  point.id = points_.id(slot);
+  const double col = slot.block * points_.lanes() + slot.lane + geometry_.tile_offset + value(moving::xi);
+  const double row = slot.row + geometry_.tile_offset + value(moving::eta);
+  point.x = geometry_.left + col * plan_.cell_size;
+  point.y = geometry_.bottom + row * cell_height(clock_.displacement);
+  point.vx = value(moving::vx);
+  point.vy = value(moving::vy);
+  point.mass = value(moving::mass);
+  point.volume = value(moving::volume);
+  point.stress = {value(moving::sxx), value(moving::syy), value(moving::sxy)};
+  const moving::RecordLayout& layout = points_.layout();
+  for (int i = 0; i < 4; ++i) {
+    if (layout.affine >= 0) point.gradient[i] = value(layout.affine + i);
+    if (layout.deformation >= 0) point.deformation[i] = value(layout.deformation + i);
+  }
+  return point;
+}
+
+template <class Real>
+std::vector<PointView> MovingSolver<Real>::points() const {
+  std::vector<PointView> views;
+  for (int row = 0; row < points_.rows(); ++row)
+    points_.for_each(row, [&](const Slot& slot) { views.push_back(view(slot)); });
+  return views;
+}
+
+template <class Real>
+void MovingSolver<Real>::kick(const Kick& change) {
+  for (int row = 0; row < points_.rows(); ++row) {
+    points_.for_each(row, [&](const Slot& slot) {
+      const PointView point = view(slot);
+      double vx = point.vx;
+      double vy = point.vy;
+      change(point, vx, vy);
+      points_.value(slot, moving::vx) = static_cast<Real>(vx);
+      points_.value(slot, moving::vy) = static_cast<Real>(vy);
+      start_fastest_ = std::max(start_fastest_, static_cast<Real>(vx * vx + vy * vy));
+    });
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::take_maps(Result& result) {
+  maps_.move_to(result);
+  const float nowhere = std::numeric_limits<float>::quiet_NaN();
+  result.end_x.setConstant(scene_.labels.rows(), scene_.labels.cols(), nowhere);
+  result.end_y = result.end_x;
+  if (plan_.moving.optional.deformation) result.deformation.fill(result.end_x);
+  for (const PointView& point : points()) {
+    if (point.id >= static_cast<std::uint32_t>(scene_.labels.size())) continue;
+    result.end_x.data()[point.id] = static_cast<float>(point.x);
+    result.end_y.data()[point.id] = static_cast<float>(point.y);
+    for (std::size_t i = 0; i < 4 && plan_.moving.optional.deformation; ++i)
+      result.deformation[i].data()[point.id] = static_cast<float>(point.deformation[i]);
+  }
+}
+
+template class MovingSolver<float>;
+template class MovingSolver<double>;
+
+}  // namespace mpm

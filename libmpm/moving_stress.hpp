@@ -1,0 +1,108 @@
+/// Stress of moving points: its rate, closed cracks, and the test for failure. Private to moving_kernels.cpp.
+#pragma once
+
+#include "libmpm/moving_weights.hpp"
+#include "libmpm/stress.hpp"
+
+namespace mpm::moving {
+namespace {  // a copy for each instruction set
+
+/// Square root lane by lane, for stress.hpp.
+template <class Real>
+MPM_INLINE Pack<Real> root(const Pack<Real>& value) {
+  Pack<Real> result = value;
+  for (int i = 0; i < lanes<Real>; ++i) result[i] = square_root(value[i]);
+  return result;
+}
+
+/// What without_tension() of stress.hpp does, for a vector of points.
+template <class Real>
+MPM_INLINE Stress<Pack<Real>> closed_crack(const Stress<Pack<Real>>& s, const Pack<Real>& lateral) {
+  const Pack<Real> zero{};
+  const Pack<Real> mean = Real(0.5) * (s.xx + s.yy);
+  const Pack<Real> deviator = Real(0.5) * (s.xx - s.yy);
+  const Pack<Real> radius = root<Real>(deviator * deviator + s.xy * s.xy);
+  const Pack<Real> top = mean + radius;
+  const Pack<Real> opening = top > zero ? top : zero;
+  const Pack<Real> first = top - opening;
+  const Pack<Real> rest = mean - radius - lateral * opening;
+  const Pack<Real> second = rest < zero ? rest : zero;
+  const Pack<Real> new_mean = Real(0.5) * (first + second);
+  const Pack<Real> ratio = Real(0.5) * (first - second) / (radius > zero ? radius : all<Real>(1));
+  return {new_mean + deviator * ratio, new_mean - deviator * ratio, s.xy * ratio};
+}
+
+/// Stress that the points carry: that of their record, or of its closed crack.
+template <class Real, bool closure>
+MPM_INLINE Stress<Pack<Real>> carried(const Stress<Pack<Real>>& s, const TileRow<Real>& row,
+                                      const Real* record, Real unilateral) {
+  if constexpr (!closure) {
+    return s;
+  } else {
+    const Pack<Real> zero{};
+    const Pack<Real> lame = field(record, Field::lame);
+    const Pack<Real> axial = lame + 2 * field(record, Field::shear);
+    const Pack<Real> lateral = unilateral * lame / (axial > zero ? axial : all<Real>(1));
+    const Stress<Pack<Real>> c = closed_crack<Real>(s, lateral);
+    const Mask<Real> cracked = field(record, row.layout.cracked) > zero;
+    return {cracked ? c.xx : s.xx, cracked ? c.yy : s.yy, cracked ? c.xy : s.xy};
+  }
+}
+
+template <class Real>
+MPM_INLINE Stress<Pack<Real>> stress_of(const Real* record) {
+  return {field(record, Field::sxx), field(record, Field::syy), field(record, Field::sxy)};
+}
+
+/// Displacement gradient of the step, dt grad(v) [-].
+template <class Real>
+struct Gradient {
+  Pack<Real> xx, xy, yx, yy;  ///< of component by direction
+};
+template <class Real, int N>
+MPM_INLINE Gradient<Real> gradient(const TileNodes<Real, N>& vx, const TileNodes<Real, N>& vy,
+                                   const Weights<Real, N>& x, const Weights<Real, N>& y, Real per_x,
+                                   Real per_y) {
+  return {per_x * interpolated<Real, N>(vx, x.dw, y.w), per_y * interpolated<Real, N>(vx, x.w, y.dw),
+          per_x * interpolated<Real, N>(vy, x.dw, y.w), per_y * interpolated<Real, N>(vy, x.w, y.dw)};
+}
+
+/// Jaumann's rate: the stress turns with the spin, then grows by C : strain. The turn is exact in the norm,
+/// tan(angle) = spin. Source: Hughes, Winget (1980), for the increment.
+template <class Real>
+MPM_INLINE Stress<Pack<Real>> turned_and_loaded(const Stress<Pack<Real>>& s, const Gradient<Real>& g,
+                                                const Pack<Real>& lame, const Pack<Real>& shear) {
+  const Pack<Real> spin = Real(0.5) * (g.yx - g.xy);
+  const Pack<Real> share = 1 / (1 + spin * spin);
+  const Pack<Real> cos2 = (1 - spin * spin) * share;
+  const Pack<Real> sin2 = 2 * spin * share;
+  const Pack<Real> mean = Real(0.5) * (s.xx + s.yy);
+  const Pack<Real> deviator = Real(0.5) * (s.xx - s.yy);
+  const Pack<Real> turned = deviator * cos2 - s.xy * sin2;
+  const Pack<Real> turned_xy = deviator * sin2 + s.xy * cos2;
+  const Pack<Real> volumetric = lame * (g.xx + g.yy);
+  return {mean + turned + volumetric + 2 * shear * g.xx, mean - turned + volumetric + 2 * shear * g.yy,
+          turned_xy + shear * (g.xy + g.yx)};
+}
+
+/// Lanes in which a point may fail; the same test as that of the lattice (kernels.cpp). Not-a-number is
+/// suspect.
+template <kernels::Check check, class Real>
+MPM_INLINE Mask<Real> suspect_lanes(const Stress<Pack<Real>>& s, const TileRow<Real>& row,
+                                    const Real* record) {
+  const Pack<Real> zero{};
+  const Pack<Real> det = s.xx * s.yy - s.xy * s.xy;
+  const Pack<Real> sum = s.xx + s.yy;
+  const Pack<Real> tension = field(record, row.layout.tension);
+  const Pack<Real> reserve = tension - sum;
+  Mask<Real> safe = (tension * reserve + det >= zero) & (tension + reserve >= zero);
+  if constexpr (check == kernels::Check::tension_and_shear) {
+    const Pack<Real> crush = field(record, row.layout.crush);
+    const Pack<Real> depth = crush + sum;
+    safe &= (crush * depth + det >= zero) & (crush + depth >= zero);
+  }
+  return ~safe;
+}
+
+}  // namespace
+}  // namespace mpm::moving
