@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -12,11 +11,11 @@ constexpr double nano = 1e-9;
 
 std::string bytes_text(double bytes) { return bytes > 0 ? fmt::format("{:.0f}", bytes) : std::string("-"); }
 
-/// A difference that is smaller than what such a measurement can tell is shown as such.
+/// A difference that is smaller than what such a measurement can tell, below 0 at times, is shown as such.
 std::string time_text(const mpm::Feature& feature, double run) {
   if (!feature.time) return "-";
-  const double least = 0.03 * run;
-  if (std::abs(*feature.time) < least) return fmt::format("< {:.2f}", least / nano);
+  const double least = 0.05 * run;
+  if (*feature.time < least) return fmt::format("< {:.2f}", least / nano);
   return fmt::format("{:.2f}", *feature.time / nano);
 }
 

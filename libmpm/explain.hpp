@@ -16,8 +16,8 @@ struct Feature {
   std::string why;   ///< half a sentence
   double bytes = 0;  ///< memory that it takes a point [byte]
   /// Time that it takes a point and step, measured on this scene, on this machine, just now [s]: that of the
-  /// run with the feature less that of the run without, medians of several stretches. Empty where the one
-  /// cannot be had without changing the physics of the other.
+  /// run with the feature less that of the run without, each the fastest of several stretches. Empty where
+  /// the one cannot be had without changing the physics of the other.
   std::optional<double> time;
 };
 

@@ -27,7 +27,7 @@ TEST(Explanation, TellsWhatIsInAndWhatIsLeftOutWithItsPrice) {
 }
 
 TEST(Explanation, DoesNotShowNoiseAsAFigure) {
-  EXPECT_THAT(app::explanation_text(some_explanation()), HasSubstr("< 0.06  solver.local_damping is 0"));
+  EXPECT_THAT(app::explanation_text(some_explanation()), HasSubstr("< 0.10  solver.local_damping is 0"));
 }
 
 TEST(Explanation, IsCompleteAsJson) {
