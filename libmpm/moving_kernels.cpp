@@ -11,13 +11,13 @@ namespace {
 
 template <class Real, Stencil stencil, bool affine>
 void scatter_momentum(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> out) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
   const Real hx = step.hx;
   const Real hy = step.hy;
   for (int block = 0; block < row.blocks; ++block) {
-    Pack<Real> sums[N * N * 3] = {};
+    Pack<Real> sums[n * n * 3] = {};
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       const Real* record = record_of(row, block, slot);
@@ -36,11 +36,11 @@ void scatter_momentum(const TileRow<Real>& in, const Step<Real>& step, Sums<Real
         c_yx = hx * field(record, row.layout.affine + 2);
         c_yy = hy * field(record, row.layout.affine + 3);
       }
-      unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+      unrolled<n>([&](auto b) MPM_INLINE_LAMBDA {
         const Pack<Real> m_row = m * y.w[b.value];
         const Pack<Real> dy = Real(node_place<stencil>(b.value)) - at_y;
-        unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
-          constexpr int plane = (b.value * N + a.value) * 3;
+        unrolled<n>([&](auto a) MPM_INLINE_LAMBDA {
+          constexpr int plane = (b.value * n + a.value) * 3;
           const Pack<Real> m_node = m_row * x.w[a.value];
           sums[plane] += m_node;
           if constexpr (affine) {
@@ -54,20 +54,20 @@ void scatter_momentum(const TileRow<Real>& in, const Step<Real>& step, Sums<Real
         });
       });
     }
-    store_sums<Real, N, 3>(out, block * lanes<Real>, sums);
+    store_sums<Real, n, 3>(out, block * lanes<Real>, sums);
   }
 }
 
 template <class Real, Stencil stencil, bool closure>
 void scatter_force(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> out) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
   const Real per_hx = 1 / step.hx;
   const Real per_hy = 1 / step.hy;
   const Real unilateral = step.unilateral;
   for (int block = 0; block < row.blocks; ++block) {
-    Pack<Real> sums[N * N * 2] = {};
+    Pack<Real> sums[n * n * 2] = {};
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       const Real* record = record_of(row, block, slot);
@@ -83,19 +83,19 @@ void scatter_force(const TileRow<Real>& in, const Step<Real>& step, Sums<Real> o
       const Pack<Real> xy_x = v_x * s.xy;
       const Pack<Real> yy = v_y * s.yy;
       // f = -V s . grad(S)
-      unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+      unrolled<n>([&](auto b) MPM_INLINE_LAMBDA {
         const Pack<Real> fx_dx = xx * y.w[b.value];
         const Pack<Real> fx_w = xy_y * y.dw[b.value];
         const Pack<Real> fy_dx = xy_x * y.w[b.value];
         const Pack<Real> fy_w = yy * y.dw[b.value];
-        unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
-          constexpr int plane = (b.value * N + a.value) * 2;
+        unrolled<n>([&](auto a) MPM_INLINE_LAMBDA {
+          constexpr int plane = (b.value * n + a.value) * 2;
           sums[plane] += fx_dx * x.dw[a.value] + fx_w * x.w[a.value];
           sums[plane + 1] += fy_dx * x.dw[a.value] + fy_w * x.w[a.value];
         });
       });
     }
-    store_sums<Real, N, 2>(out, block * lanes<Real>, sums);
+    store_sums<Real, n, 2>(out, block * lanes<Real>, sums);
   }
 }
 
@@ -107,10 +107,10 @@ MPM_INLINE void gather_affine(const TileRow<Real>& row, Real* record, const Step
                               const TileNodes<Real, nodes_of<stencil>>& nodes_y,
                               const Weights<Real, nodes_of<stencil>>& x,
                               const Weights<Real, nodes_of<stencil>>& y, const BlockFolds<Real>& folds) {
-  constexpr int N = nodes_of<stencil>;
-  Pack<Real> along_x[N], along_y[N];
+  constexpr int n = nodes_of<stencil>;
+  Pack<Real> along_x[n], along_y[n];
   if constexpr (stencil == Stencil::linear) {
-    unrolled<N>([&](auto i) MPM_INLINE_LAMBDA {
+    unrolled<n>([&](auto i) MPM_INLINE_LAMBDA {
       along_x[i.value] = x.dw[i.value] * (1 / step.hx);
       along_y[i.value] = y.dw[i.value] * (1 / step.hy);
     });
@@ -120,25 +120,25 @@ MPM_INLINE void gather_affine(const TileRow<Real>& row, Real* record, const Step
     // Folded weights have no variance at the support; those of the nodes beyond it, which follow a line, do.
     const auto free_x = weights<Real, stencil>(at_x, step.half_size);
     const auto free_y = weights<Real, stencil>(at_y, step.half_size);
-    const Pack<Real> per_dx = (1 / step.hx) / variance<Real, N>(free_x, at_x);
-    const Pack<Real> per_dy = (1 / step.hy) / variance<Real, N>(free_y, at_y);
-    unrolled<N>([&](auto i) MPM_INLINE_LAMBDA {
+    const Pack<Real> per_dx = (1 / step.hx) / variance<Real, n>(free_x, at_x);
+    const Pack<Real> per_dy = (1 / step.hy) / variance<Real, n>(free_y, at_y);
+    unrolled<n>([&](auto i) MPM_INLINE_LAMBDA {
       along_x[i.value] = free_x.w[i.value] * (Real(node_place<stencil>(i.value)) - at_x) * per_dx;
       along_y[i.value] = free_y.w[i.value] * (Real(node_place<stencil>(i.value)) - at_y) * per_dy;
     });
     fold_across<Real>(along_x, folds);
     fold_upwards<Real>(along_y, folds);
   }
-  set_field<Real>(record, row.layout.affine, interpolated<Real, N>(nodes_x, along_x, y.w));
-  set_field<Real>(record, row.layout.affine + 1, interpolated<Real, N>(nodes_x, x.w, along_y));
-  set_field<Real>(record, row.layout.affine + 2, interpolated<Real, N>(nodes_y, along_x, y.w));
-  set_field<Real>(record, row.layout.affine + 3, interpolated<Real, N>(nodes_y, x.w, along_y));
+  set_field<Real>(record, row.layout.affine, interpolated<Real, n>(nodes_x, along_x, y.w));
+  set_field<Real>(record, row.layout.affine + 1, interpolated<Real, n>(nodes_x, x.w, along_y));
+  set_field<Real>(record, row.layout.affine + 2, interpolated<Real, n>(nodes_y, along_x, y.w));
+  set_field<Real>(record, row.layout.affine + 3, interpolated<Real, n>(nodes_y, x.w, along_y));
 }
 
 template <class Real, Stencil stencil, Return transfer>
 Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> change,
                      NodeVectors<Real> fresh) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   constexpr bool needs_change = transfer != Return::apic || stencil == Stencil::linear;
   constexpr bool needs_fresh = transfer != Return::flip;
   const TileRow<Real> row = in;
@@ -148,14 +148,14 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
   for (int block = 0; block < row.blocks; ++block) {
     if (row.used[block] == 0) continue;
     const int tile = block * lanes<Real>;
-    TileNodes<Real, N> change_x{}, change_y{}, fresh_x{}, fresh_y{};
+    TileNodes<Real, n> change_x{}, change_y{}, fresh_x{}, fresh_y{};
     if constexpr (needs_change) {
-      change_x = load_nodes<Real, N>(change.x, change.stride, tile);
-      change_y = load_nodes<Real, N>(change.y, change.stride, tile);
+      change_x = load_nodes<Real, n>(change.x, change.stride, tile);
+      change_y = load_nodes<Real, n>(change.y, change.stride, tile);
     }
     if constexpr (needs_fresh) {
-      fresh_x = load_nodes<Real, N>(fresh.x, fresh.stride, tile);
-      fresh_y = load_nodes<Real, N>(fresh.y, fresh.stride, tile);
+      fresh_x = load_nodes<Real, n>(fresh.x, fresh.stride, tile);
+      fresh_y = load_nodes<Real, n>(fresh.y, fresh.stride, tile);
     }
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
@@ -165,16 +165,16 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
       const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       Pack<Real> v_x{}, v_y{};
       if constexpr (transfer != Return::apic) {
-        v_x = field<Real>(record, Field::vx) + interpolated<Real, N>(change_x, x.w, y.w);
-        v_y = field<Real>(record, Field::vy) + interpolated<Real, N>(change_y, x.w, y.w);
+        v_x = field<Real>(record, Field::vx) + interpolated<Real, n>(change_x, x.w, y.w);
+        v_y = field<Real>(record, Field::vy) + interpolated<Real, n>(change_y, x.w, y.w);
       }
       if constexpr (transfer == Return::blend) {
-        v_x = ratio * v_x + (1 - ratio) * interpolated<Real, N>(fresh_x, x.w, y.w);
-        v_y = ratio * v_y + (1 - ratio) * interpolated<Real, N>(fresh_y, x.w, y.w);
+        v_x = ratio * v_x + (1 - ratio) * interpolated<Real, n>(fresh_x, x.w, y.w);
+        v_y = ratio * v_y + (1 - ratio) * interpolated<Real, n>(fresh_y, x.w, y.w);
       }
       if constexpr (transfer == Return::apic) {
-        v_x = interpolated<Real, N>(fresh_x, x.w, y.w);
-        v_y = interpolated<Real, N>(fresh_y, x.w, y.w);
+        v_x = interpolated<Real, n>(fresh_x, x.w, y.w);
+        v_y = interpolated<Real, n>(fresh_y, x.w, y.w);
         if constexpr (stencil == Stencil::linear)
           gather_affine<Real, stencil>(row, record, step, change_x, change_y, x, y, folds);
         else
@@ -197,7 +197,7 @@ Real gather_velocity(const TileRow<Real>& in, const Step<Real>& step, NodeVector
 template <class Real, Stencil stencil, kernels::Check check, bool closure>
 int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> velocity,
                   std::uint8_t* suspects) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
   const Real per_x = step.dt / step.hx;
@@ -207,8 +207,8 @@ int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<R
   for (int block = 0; block < row.blocks; ++block) {
     suspects[block] = 0;
     if (row.used[block] == 0) continue;
-    const auto vx = load_nodes<Real, N>(velocity.x, velocity.stride, block * lanes<Real>);
-    const auto vy = load_nodes<Real, N>(velocity.y, velocity.stride, block * lanes<Real>);
+    const auto vx = load_nodes<Real, n>(velocity.x, velocity.stride, block * lanes<Real>);
+    const auto vy = load_nodes<Real, n>(velocity.y, velocity.stride, block * lanes<Real>);
     Mask<Real> suspect{};
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
@@ -216,7 +216,7 @@ int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<R
       fetch_ahead<Real, Field::xi, Field::basic_fields + 1>(row, record);
       const auto x = weights_across<Real, stencil>(record, half_size, folds);
       const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
-      const Gradient<Real> g = gradient<Real, N>(vx, vy, x, y, per_x, per_y);
+      const Gradient<Real> g = gradient<Real, n>(vx, vy, x, y, per_x, per_y);
       const Pack<Real> v = field<Real>(record, Field::volume);
       set_field<Real>(record, Field::volume, v * ((1 + g.xx) * (1 + g.yy) - g.xy * g.yx));
       const Stress<Pack<Real>> s = turned_and_loaded<Real>(
@@ -239,7 +239,7 @@ int update_stress(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<R
 template <class Real, Stencil stencil>
 int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> fresh,
                 std::uint8_t* left) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
   const Real per_x = step.dt / step.hx;
@@ -252,9 +252,9 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
   for (int block = 0; block < row.blocks; ++block) {
     left[block] = 0;
     if (row.used[block] == 0) continue;
-    const auto vx = load_nodes<Real, N>(fresh.x, fresh.stride, block * lanes<Real>);
-    const auto vy = load_nodes<Real, N>(fresh.y, fresh.stride, block * lanes<Real>);
-    Mask<Real> stays = zero <= zero;
+    const auto vx = load_nodes<Real, n>(fresh.x, fresh.stride, block * lanes<Real>);
+    const auto vy = load_nodes<Real, n>(fresh.y, fresh.stride, block * lanes<Real>);
+    Mask<Real> stays = ~Mask<Real>{};
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       Real* record = record_of(row, block, slot);
@@ -263,9 +263,9 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
       const auto x = weights_across<Real, stencil>(record, half_size, folds);
       const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
       const Mask<Real> there = field<Real>(record, Field::mass) > zero;
-      const Pack<Real> moved_x = old_x + per_x * interpolated<Real, N>(vx, x.w, y.w);
+      const Pack<Real> moved_x = old_x + per_x * interpolated<Real, n>(vx, x.w, y.w);
       const Pack<Real> moved_y =
-          old_y + (shrinkage * (row.bottom + old_y) + per_y * interpolated<Real, N>(vy, x.w, y.w));
+          old_y + (shrinkage * (row.bottom + old_y) + per_y * interpolated<Real, n>(vy, x.w, y.w));
       const Pack<Real> new_x = there ? moved_x : middle;
       const Pack<Real> new_y = there ? moved_y : middle;
       set_field<Real>(record, Field::xi, new_x);
@@ -280,19 +280,19 @@ int move_points(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Rea
 
 template <class Real, Stencil stencil>
 void deform(const TileRow<Real>& in, const Step<Real>& step, NodeVectors<Real> velocity) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   const TileRow<Real> row = in;
   const Real half_size = step.half_size;
   for (int block = 0; block < row.blocks; ++block) {
     if (row.used[block] == 0) continue;
-    const auto vx = load_nodes<Real, N>(velocity.x, velocity.stride, block * lanes<Real>);
-    const auto vy = load_nodes<Real, N>(velocity.y, velocity.stride, block * lanes<Real>);
+    const auto vx = load_nodes<Real, n>(velocity.x, velocity.stride, block * lanes<Real>);
+    const auto vy = load_nodes<Real, n>(velocity.y, velocity.stride, block * lanes<Real>);
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       Real* record = record_of(row, block, slot);
       const auto x = weights_across<Real, stencil>(record, half_size, folds);
       const auto y = weights_upwards<Real, stencil>(record, half_size, folds);
-      const Gradient<Real> g = gradient<Real, N>(vx, vy, x, y, step.dt / step.hx, step.dt / step.hy);
+      const Gradient<Real> g = gradient<Real, n>(vx, vy, x, y, step.dt / step.hx, step.dt / step.hy);
       const Pack<Real> xx = field<Real>(record, row.layout.deformation);
       const Pack<Real> xy = field<Real>(record, row.layout.deformation + 1);
       const Pack<Real> yx = field<Real>(record, row.layout.deformation + 2);
@@ -341,12 +341,12 @@ Energies measure_energies(const TileRow<Real>& in, const Step<Real>& step) {
 }
 
 /// Sum of quantity f of n at node i over the tiles that hold it.
-template <class Real, int N, int quantities, int f>
+template <class Real, int n, int quantities, int f>
 MPM_INLINE Pack<Real> node_sum(const NodeRow<Real>& row, int i) {
   Pack<Real> sum{};
-  unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
-    unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
-      constexpr int plane = (b.value * N + a.value) * quantities + f;
+  unrolled<n>([&](auto b) MPM_INLINE_LAMBDA {
+    unrolled<n>([&](auto a) MPM_INLINE_LAMBDA {
+      constexpr int plane = (b.value * n + a.value) * quantities + f;
       sum += load<Real>(row.tiles[b.value] + plane * row.length + i - a.value);
     });
   });
@@ -355,16 +355,16 @@ MPM_INLINE Pack<Real> node_sum(const NodeRow<Real>& row, int i) {
 
 template <class Real, Stencil stencil>
 void sum_momentum(const NodeRow<Real>& in, Real least_mass, Real* mass, Real* vx, Real* vy) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   const NodeRow<Real> row = in;
   const Pack<Real> least = all<Real>(least_mass);
   for (int i = 0; i < row.nodes; i += lanes<Real>) {
-    const Pack<Real> m = node_sum<Real, N, 3, 0>(row, i);
+    const Pack<Real> m = node_sum<Real, n, 3, 0>(row, i);
     const Mask<Real> heavy = m > least;
     const Pack<Real> per_m = heavy ? 1 / (heavy ? m : least) : Pack<Real>{};
     store<Real>(mass + i, m);
-    store<Real>(vx + i, per_m * node_sum<Real, N, 3, 1>(row, i));
-    store<Real>(vy + i, per_m * node_sum<Real, N, 3, 2>(row, i));
+    store<Real>(vx + i, per_m * node_sum<Real, n, 3, 1>(row, i));
+    store<Real>(vy + i, per_m * node_sum<Real, n, 3, 2>(row, i));
   }
 }
 
@@ -378,7 +378,7 @@ MPM_INLINE Pack<Real> damping_force(const Pack<Real>& f, const Pack<Real>& v, Re
 
 template <class Real, Stencil stencil, bool damped>
 double integrate(const Integration<Real>& in) {
-  constexpr int N = nodes_of<stencil>;
+  constexpr int n = nodes_of<stencil>;
   const Integration<Real> nodes = in;
   const Pack<Real> least = all<Real>(nodes.least_mass);
   Pack<Real> taken{};
@@ -388,8 +388,8 @@ double integrate(const Integration<Real>& in) {
     const Pack<Real> impulse = heavy ? nodes.dt / (heavy ? m : least) : Pack<Real>{};
     const Pack<Real> v_x = load<Real>(nodes.vx + i);
     const Pack<Real> v_y = load<Real>(nodes.vy + i);
-    Pack<Real> fx = node_sum<Real, N, 2, 0>(nodes.forces, i);
-    Pack<Real> fy = node_sum<Real, N, 2, 1>(nodes.forces, i);
+    Pack<Real> fx = node_sum<Real, n, 2, 0>(nodes.forces, i);
+    Pack<Real> fy = node_sum<Real, n, 2, 1>(nodes.forces, i);
     Pack<Real> drag_x{}, drag_y{};
     if constexpr (damped) {
       drag_x = damping_force<Real>(fx, v_x, nodes.damping);

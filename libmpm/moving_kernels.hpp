@@ -190,15 +190,15 @@ struct Sweeps {
 /// The kernels of one instruction set.
 struct Kernels {
   const char* name;
-  Sweeps<float> (*single)(const Features&);
-  Sweeps<double> (*double_)(const Features&);
+  Sweeps<float> (*in_single)(const Features&);
+  Sweeps<double> (*in_double)(const Features&);
 
   template <class Real>
   [[nodiscard]] Sweeps<Real> sweeps(const Features& features) const {
     if constexpr (sizeof(Real) == sizeof(float))
-      return single(features);
+      return in_single(features);
     else
-      return double_(features);
+      return in_double(features);
   }
 };
 

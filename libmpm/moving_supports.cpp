@@ -62,36 +62,38 @@ void MovingSolver<Real>::hold_node(int node_row, int col) {
   const int last_col = geometry_.cells_x + geometry_.before;
   const bool at_top = node_row >= last_row;
   const bool at_right = col >= last_col;
+  const auto value = [&](const AlignedVector<Real>& field) { return static_cast<double>(field[at]); };
   std::optional<Support::Held> x, y;
   if (at_top || node_row <= geometry_.before) {
     const Support& support = at_top ? supports_.top : supports_.bottom;
-    y = support.caught(grid_.vy[at], grid_.change_y[at], at_top ? 1 : -1, (touched & touches_upright) != 0);
+    y = support.caught(value(grid_.vy), value(grid_.change_y), at_top ? 1 : -1,
+                       (touched & touches_upright) != 0);
     if (y) contact_[at] |= touches_upright;
-    if (y && support.rough) x = Support::Held{0, support.separates && touched == 0 ? grid_.vx[at] : 0};
+    if (y && support.rough) x = Support::Held{0, support.separates && touched == 0 ? value(grid_.vx) : 0.0};
   }
   if (at_right || col <= geometry_.before) {
     const Support& support = at_right ? supports_.right : supports_.left;
-    const auto across =
-        support.caught(grid_.vx[at], grid_.change_x[at], at_right ? 1 : -1, (touched & touches_across) != 0);
+    const auto across = support.caught(value(grid_.vx), value(grid_.change_x), at_right ? 1 : -1,
+                                       (touched & touches_across) != 0);
     if (across) {
       contact_[at] |= touches_across;
       x = across;
-      if (support.rough) y = Support::Held{0, support.separates && touched == 0 ? grid_.vy[at] : 0};
+      if (support.rough) y = Support::Held{0, support.separates && touched == 0 ? value(grid_.vy) : 0.0};
     }
   }
   if (is_pinned(node_row, col)) x = Support::Held{0, 0};
   // What a point gets is the change for FLIP and the value for PIC and APIC.
   const double flip = scene_.motion.transfer == Transfer::apic ? 0 : scene_.motion.flip_ratio;
   const auto set = [&](const Support::Held& held, double brought, Real& fresh, Real& change) {
-    const double push = change;
+    const auto push = static_cast<double>(change);
     fresh = static_cast<Real>(held.velocity);
     change = static_cast<Real>(held.velocity - held.before);
     return static_cast<double>(grid_.mass[at]) *
            (held.velocity - (flip * held.before + (1 - flip) * brought) - push);
   };
-  if (x) (void)set(*x, grid_.vx[at], grid_.fresh_x[at], grid_.change_x[at]);
+  if (x) (void)set(*x, value(grid_.vx), grid_.fresh_x[at], grid_.change_x[at]);
   if (!y) return;
-  const double impulse = set(*y, grid_.vy[at], grid_.fresh_y[at], grid_.change_y[at]);
+  const double impulse = set(*y, value(grid_.vy), grid_.fresh_y[at], grid_.change_y[at]);
   Impulses& sums = row_impulses_[static_cast<std::size_t>(node_row)];
   if (node_row <= geometry_.before) sums.bottom += impulse;
   if (at_top) {
