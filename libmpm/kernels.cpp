@@ -37,16 +37,16 @@ MPM_INLINE Real between(const Real (&edge)[2]) {
 /// sx + sy, both principal stresses lie below T exactly when T^2 - T sum + det >= 0 and 2 T - sum >= 0.
 /// Not-a-number is suspect.
 template <Check check, class Real>
-MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, const float* tensions, const float* crushes) {
+MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, const CellRow<Real>& row, std::ptrdiff_t at) {
   using F = Flag<Real>;
   if constexpr (check == Check::none) return 0;
-  const Real tension = Real(*tensions);
+  const Real tension = Real(row.tension[at]);
   const Real det = s.xx * s.yy - s.xy * s.xy;
   const Real sum = s.xx + s.yy;
   const Real reserve = tension - sum;
   F suspect = (tension * reserve + det >= 0 ? F(0) : F(1)) | (tension + reserve >= 0 ? F(0) : F(1));
   if constexpr (check == Check::tension_and_shear) {
-    const Real crush = Real(*crushes);
+    const Real crush = Real(row.crush[at]);
     const Real depth = crush + sum;
     suspect |= (crush * depth + det >= 0 ? F(0) : F(1)) | (crush + depth >= 0 ? F(0) : F(1));
   }
@@ -91,7 +91,7 @@ MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real
     const bool cracked = row.cracked[at] > 0;
     s = {cracked ? c.xx : s.xx, cracked ? c.yy : s.yy, cracked ? c.xy : s.xy};
   }
-  const Flag<Real> suspect = is_suspect<check>(s, row.tension + at, row.crush + at);
+  const Flag<Real> suspect = is_suspect<check>(s, row, at);
 
   const Real weight = one_poisson ? row.stiffness[at] : Real(1);
   sums.xx[b] += weight * s.xx;
