@@ -128,8 +128,10 @@ void MovingSolver<Real>::scatter_rows(Band& band, std::barrier<>& barrier, Scatt
   barrier.arrive_and_wait();
 }
 
+/// From the points as they are to the velocity of the nodes at the end of the step.
+/// @param chooses  it strains the points too (USL), or gives linear APIC its slopes.
 template <class Real>
-void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
+void MovingSolver<Real>::accelerate_nodes(Band& band, std::barrier<>& barrier, bool chooses) {
   using Grid = MovingGrid<Real>;
   scatter_rows(
       band, barrier,
@@ -140,9 +142,15 @@ void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
       [&](int row) {
         sum_momentum(row, &Grid::vx, &Grid::vy);
         integrate_momentum(row);
-        if (slopes_from_straining_) choose_straining_velocity(row);
+        if (chooses) choose_straining_velocity(row);
       });
   band.fastest = 0;
+}
+
+template <class Real>
+void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
+  using Grid = MovingGrid<Real>;
+  accelerate_nodes(band, barrier, slopes_from_straining_);
   scatter_rows(
       band, barrier,
       [&](int row) {
@@ -161,19 +169,7 @@ void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
 
 template <class Real>
 void MovingSolver<Real>::step_usl(Band& band, std::barrier<>& barrier) {
-  using Grid = MovingGrid<Real>;
-  scatter_rows(
-      band, barrier,
-      [&](int row) {
-        scatter_mass_and_momentum(row);
-        scatter_internal_force(row);
-      },
-      [&](int row) {
-        sum_momentum(row, &Grid::vx, &Grid::vy);
-        integrate_momentum(row);
-        choose_straining_velocity(row);
-      });
-  band.fastest = 0;
+  accelerate_nodes(band, barrier, true);
   for (int row = band.begin; row < band.end; ++row) {
     gather_motion(band, row);
     update_stress_and_damage(band, row);

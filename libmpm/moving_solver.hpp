@@ -97,6 +97,7 @@ class MovingSolver {
   void end_step();
   void step_usf(Band& band, std::barrier<>& barrier);
   void step_usl(Band& band, std::barrier<>& barrier);
+  void accelerate_nodes(Band& band, std::barrier<>& barrier, bool chooses);
   void step_musl(Band& band, std::barrier<>& barrier);
 
   /// scatter(row) for the rows of a band, and sweep(row) for every row of nodes once all that meets in it is
