@@ -40,6 +40,7 @@ class StretchesOf : public Stretches {
  private:
   static Plan endless(Plan plan) {
     plan.steps = std::int64_t{1} << 60;
+    plan.threads = 1;  // a time per point and core
     return plan;
   }
 
@@ -205,6 +206,10 @@ class Catalogue {
     add("maps of failure", check != Check::none,
         check != Check::none ? "where, when and how points fail" : "nothing can fail", map_bytes(),
         std::nullopt);
+    add("factors on the strengths, kept", plan_.softens,
+        plan_.softens ? "a phase has a fracture_energy: its points are looked at in many steps"
+                      : "no phase has a fracture_energy; they are drawn again when a point fails",
+        8, std::nullopt);
     add("crack closure", closure,
         closure                                            ? "damage.crack_closure is on"
         : scene_.damage.crack_closure == CrackClosure::off ? "damage.crack_closure is off"

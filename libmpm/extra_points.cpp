@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "libmpm/grid.hpp"
-#include "libmpm/strength.hpp"
+#include "libmpm/strength_field.hpp"
 
 namespace mpm {
 namespace {
@@ -18,10 +18,7 @@ CellPoint make_point(const Scene& scene, const Plan& plan, std::size_t index, do
   point.xi = x - point.cell;
   point.eta = y - std::min(static_cast<int>(y), plan.cells_y - 1);
   point.share = share;
-  point.state.phase = &phase;
-  point.state.factor =
-      phase.can_fail() ? strength_factor(uniform_random(scene.damage.seed, index, 1), phase.weibull_modulus)
-                       : 1;
+  point.state = intact_point(phase, StrengthFactors(scene, false).of_extra_point(index));
   point.stiffness = stiffness(phase, scene.plane);
   point.index = index;
   return point;

@@ -26,7 +26,6 @@ struct CellPoint {
   double xi = 0, eta = 0;  ///< place in the cell, in [0, 1]
   double share = 1;        ///< of its pixel's volume [-]
   PointState state;
-  double kept = 1;            ///< share of its stiffness that it still has [-]
   Eigen::Matrix3d stiffness;  ///< of its phase [Pa]
   std::size_t index = 0;      ///< in Scene::extra_points
 };

@@ -88,8 +88,9 @@ MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real
     const Real lateral = row.unilateral * (one_poisson ? row.unit_lateral / row.unit_axial
                                                        : lateral_ratio(row.stiffness[at], row.shear[at]));
     const Stress<Real> c = without_tension(s, lateral);
-    const bool cracked = row.cracked[at] > 0;
-    s = {cracked ? c.xx : s.xx, cracked ? c.yy : s.yy, cracked ? c.xy : s.xy};
+    const Real cracked = Real(row.cracked[at]);
+    const Real whole = 1 - cracked;
+    s = {whole * s.xx + cracked * c.xx, whole * s.yy + cracked * c.yy, whole * s.xy + cracked * c.xy};
   }
   const Flag<Real> suspect = is_suspect<check>(s, row, at);
 

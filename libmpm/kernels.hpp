@@ -47,7 +47,7 @@ struct CellRow {
   const Real* shear;      ///< shear modulus times the volume share [Pa]; unused with one Poisson ratio
   const float* tension;   ///< tensile threshold, scaled as the stress of this kernel; unused without a check
   const float* crush;     ///< least -s3 at which shear failure is possible, alike; for the check of both only
-  const float* cracked;   ///< 1 where a point failed in tension and carries compression only, else 0
+  const float* cracked;   ///< share of its resistance to tension that a point has lost [-]
   Real unilateral;        ///< 1: CrackClosure::unilateral, 0: clipped
   Real unit_axial, unit_lateral, unit_shear;  ///< stiffness of a phase with E = 1 [-]
   NodeForces<Real> lower, upper;              ///< out

@@ -45,7 +45,7 @@ bool LatticeSolver<Real>::fail_suspects(Band& band, int row, double strain) {
   return any;
 }
 
-/// Ends or cracks the point if its phase says so; returns whether it did.
+/// Does to the point what its phase says; returns whether anything was done.
 template <class Real>
 bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, double strain) {
   const std::size_t at = points_.at(row, plane, cell);
@@ -56,39 +56,35 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
   const int k = scene_.points_per_cell;
   const int column_in_cell = plane % k;
   const int row_in_cell = plane / k;
-  const auto pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + row_in_cell);
-  const int pixel_col = cell * k + column_in_cell;
-  const Phase& phase = *scene_.phases[scene_.labels(pixel_row, pixel_col)];
+  const Pixel pixel{static_cast<int>(scene_.labels.rows()) - 1 - (row * k + row_in_cell),
+                    cell * k + column_in_cell};
+  const Phase& phase = *scene_.phases[scene_.labels(pixel.row, pixel.col)];
   const StepStress elastic = stress_at(stiffness(phase, scene_.plane), row, cell, (column_in_cell + 0.5) / k,
                                        (row_in_cell + 0.5) / k);
-  const bool cracked = plan_.features.crack_closure && points_.cracked[at] > 0;
-  const double factor =
-      strength_factor(pixel_random(scene_.damage.seed, pixel_row, pixel_col), phase.weibull_modulus);
-  const PointState state{&phase, factor, cracked ? scene_.damage.crack_closure : CrackClosure::off};
-  const FailureMode mode = judge(state, elastic.now, scene_.plane);
-  if (mode == FailureMode::none) return false;
-
-  const double share = shares_.size() > 0 ? 1.0 / shares_(pixel_row, pixel_col) : 1.0;
-  count(band, mode);
-  row_released_[static_cast<std::size_t>(row)] += share * released_energy(state, elastic, mode);
-  points_.tension[at] = kernels::unreachable;
-  if (plan_.features.crack_closure && mode == FailureMode::tension) {
-    points_.cracked[at] = 1;
-    points_.crush[at] = stored_threshold(shear_onset(phase, factor, 0), threshold_scale(plan_, phase, share));
-  } else {
-    if (!points_.crush.empty()) points_.crush[at] = kernels::unreachable;
-    const auto kept = static_cast<Real>(scene_.damage.residual_stiffness);
-    points_.stiffness[at] *= kept;
-    if (!points_.shear.empty()) points_.shear[at] *= kept;
-    if (!points_.cracked.empty()) points_.cracked[at] = 0;
-  }
-  if (cracked) {
-    maps_.crush_strain(pixel_row, pixel_col) = static_cast<float>(strain);
-  } else {
-    maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
-    maps_.failure_mode(pixel_row, pixel_col) = static_cast<std::uint8_t>(mode);
+  const PointKind kind{&phase, factors_.of_pixel(pixel.row, pixel.col),
+                       shares_.size() > 0 ? 1.0 / shares_(pixel.row, pixel.col) : 1.0};
+  const PointState before = read_point(points_, at, scene_, plan_, kind);
+  const Response response = respond(before, elastic.now, law_);
+  if (!response.changed) return false;
+  row_released_[static_cast<std::size_t>(row)] +=
+      kind.share * released_energy(before, response.point, elastic);
+  write_point(points_, at, scene_, plan_, kind, response.point);
+  if (response.failure != FailureMode::none) {
+    count(band, response.failure);
+    record_failure(pixel, response.failure, strain);
   }
   return true;
+}
+
+/// A point that failed before can only be crushed.
+template <class Real>
+void LatticeSolver<Real>::record_failure(const Pixel& pixel, FailureMode mode, double strain) {
+  if (maps_.failure_mode(pixel.row, pixel.col) == 0) {
+    maps_.failure_strain(pixel.row, pixel.col) = static_cast<float>(strain);
+    maps_.failure_mode(pixel.row, pixel.col) = static_cast<std::uint8_t>(mode);
+  } else if (maps_.crush_strain.size() > 0) {
+    maps_.crush_strain(pixel.row, pixel.col) = static_cast<float>(strain);
+  }
 }
 
 template <class Real>
@@ -99,18 +95,12 @@ void LatticeSolver<Real>::count(Band& band, FailureMode mode) {
 /// Energy that a whole pixel loses when it fails [J/m]. With the strain of the step before on one side of the
 /// product, 1/2 u_(n-1) . dK . u_n, the ledger of the symplectic step closes to rounding.
 template <class Real>
-double LatticeSolver<Real>::released_energy(const PointState& point, const StepStress& elastic,
-                                            FailureMode mode) const {
-  const auto power = [&](const Stress<double>& stress) {
-    return stress_power(*point.phase, scene_.plane, stress, elastic.before);
+double LatticeSolver<Real>::released_energy(const PointState& before, const PointState& after,
+                                            const StepStress& elastic) const {
+  const auto power = [&](const PointState& point) {
+    return stress_power(*point.phase, scene_.plane, carried_stress(point, elastic.now, law_), elastic.before);
   };
-  PointState after = point;
-  const bool closes = plan_.features.crack_closure && mode == FailureMode::tension;
-  after.crack = closes ? scene_.damage.crack_closure : CrackClosure::off;
-  const double kept = closes ? 1.0 : scene_.damage.residual_stiffness;
-  const double lost = power(carried_stress(point, elastic.now, scene_.plane)) -
-                      kept * power(carried_stress(after, elastic.now, scene_.plane));
-  return 0.5 * lost * scene_.pixel_size * scene_.pixel_size;
+  return 0.5 * (power(before) - power(after)) * scene_.pixel_size * scene_.pixel_size;
 }
 
 template <class Real>
@@ -122,10 +112,9 @@ void LatticeSolver<Real>::sweep_extra_points(Band& band, int row, const kernels:
     CellPoint& point = extra_.points[i];
     const Stress<double> elastic =
         stress_in_cell(point.stiffness, displacement(row, point.cell), point.xi, point.eta, plan_.cell_size);
-    if (point.kept == 1) fail_extra_point(band, row, point, elastic, strain);
-    const Stress<double> stress = carried_stress(point.state, elastic, scene_.plane);
-    const CellForces f =
-        forces_in_cell(stress, point.xi, point.eta, point.share * point.kept * plan_.cell_size);
+    if (!point.state.spent) fail_extra_point(band, row, point, elastic, strain);
+    const Stress<double> stress = carried_stress(point.state, elastic, law_);
+    const CellForces f = forces_in_cell(stress, point.xi, point.eta, point.share * plan_.cell_size);
     const int cell = point.cell;
     lower.left_x[cell] += static_cast<Real>(f.x[0]);
     lower.right_x[cell] += static_cast<Real>(f.x[1]);
@@ -141,22 +130,17 @@ void LatticeSolver<Real>::sweep_extra_points(Band& band, int row, const kernels:
 template <class Real>
 void LatticeSolver<Real>::fail_extra_point(Band& band, int row, CellPoint& point,
                                            const Stress<double>& elastic, double strain) {
-  const FailureMode mode = judge(point.state, elastic, scene_.plane);
-  if (mode == FailureMode::none) return;
-  count(band, mode);
+  const Response response = respond(point.state, elastic, law_);
+  if (!response.changed) return;
   row_released_[static_cast<std::size_t>(row)] +=
-      point.share *
-      released_energy(point.state, stress_at(point.stiffness, row, point.cell, point.xi, point.eta), mode);
-  if (point.state.crack == CrackClosure::off) {
-    maps_.extra_failure_strain[point.index] = static_cast<float>(strain);
-    maps_.extra_failure_mode[point.index] = static_cast<std::uint8_t>(mode);
-  }
-  if (plan_.features.crack_closure && mode == FailureMode::tension) {
-    point.state.crack = scene_.damage.crack_closure;
-  } else {
-    point.state.crack = CrackClosure::off;
-    point.kept = scene_.damage.residual_stiffness;
-  }
+      point.share * released_energy(point.state, response.point,
+                                    stress_at(point.stiffness, row, point.cell, point.xi, point.eta));
+  point.state = response.point;
+  if (response.failure == FailureMode::none) return;
+  count(band, response.failure);
+  if (maps_.extra_failure_mode[point.index] != 0) return;
+  maps_.extra_failure_strain[point.index] = static_cast<float>(strain);
+  maps_.extra_failure_mode[point.index] = static_cast<std::uint8_t>(response.failure);
 }
 
 template class LatticeSolver<float>;

@@ -47,15 +47,24 @@ bool LatticeSolver<Real>::outgrows(const Handover& limits) const {
   return strains_more_than(limits.strain) || strays_more_than(limits.displacement * plan_.cell_size);
 }
 
-/// A point that has not failed, and is not void.
+template <class Real>
+PointState LatticeSolver<Real>::state_of(int pixel_row, int pixel_col, std::size_t at) const {
+  const Phase& phase = *scene_.phases[scene_.labels(pixel_row, pixel_col)];
+  const PointKind kind{&phase, factors_.of_pixel(pixel_row, pixel_col),
+                       shares_.size() > 0 ? 1.0 / shares_(pixel_row, pixel_col) : 1.0};
+  return read_point(points_, at, scene_, plan_, kind);
+}
+
+/// A point that has lost nothing, and is not void.
 template <class Real>
 bool LatticeSolver<Real>::is_intact(int row, int plane, int cell) const {
-  const std::size_t at = points_.at(row, plane, cell);
-  if (!(points_.stiffness[at] > 0) && (points_.shear.empty() || !(points_.shear[at] > 0))) return false;
-  if (maps_.failure_mode.size() == 0) return true;
   const int k = scene_.points_per_cell;
-  const auto rows = scene_.labels.rows();
-  return maps_.failure_mode(rows - 1 - (row * k + plane / k), cell * k + plane % k) == 0;
+  const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
+  const int pixel_col = cell * k + plane % k;
+  const auto& phase = scene_.phases[scene_.labels(pixel_row, pixel_col)];
+  if (!phase) return false;
+  const PointState point = state_of(pixel_row, pixel_col, points_.at(row, plane, cell));
+  return point.kept == 1 && point.cracked == 0;
 }
 
 template <class Real>
@@ -144,10 +153,7 @@ void LatticeSolver<Real>::hand_over_pixels(MovingStart& start) const {
       const double area = share * scene_.pixel_size * scene_.pixel_size;
       point.mass = phase->density * area;
       point.volume *= area;
-      const std::size_t at = points_.at(from_below / k, plane, col / k);
-      point.cracked = !points_.cracked.empty() && points_.cracked[at] > 0;
-      point.ghost = maps_.failure_mode.size() > 0 && maps_.failure_mode(row, col) != 0 && !point.cracked;
-      if (point.ghost) point.kept = scene_.damage.residual_stiffness;
+      point.take(state_of(row, col, points_.at(from_below / k, plane, col / k)));
       start.points.push_back(point);
     }
   }
@@ -163,9 +169,7 @@ void LatticeSolver<Real>::hand_over_extra_points(MovingStart& start) const {
       const double area = extra.share * scene_.pixel_size * scene_.pixel_size;
       point.mass = extra.state.phase->density * area;
       point.volume *= area;
-      point.cracked = extra.state.crack != CrackClosure::off;
-      point.ghost = maps_.extra_failure_mode[extra.index] != 0 && !point.cracked;
-      if (point.ghost) point.kept = scene_.damage.residual_stiffness;
+      point.take(extra.state);
       start.points.push_back(point);
     }
   }

@@ -4,9 +4,11 @@
 #include <cstddef>
 
 #include "libmpm/aligned.hpp"
+#include "libmpm/failure.hpp"
 #include "libmpm/kernels.hpp"
 #include "libmpm/plan.hpp"
 #include "libmpm/scene.hpp"
+#include "libmpm/strength_field.hpp"
 
 namespace mpm {
 
@@ -16,10 +18,12 @@ namespace mpm {
 /// that measure.
 template <class Real>
 struct LatticePoints {
-  int planes = 0;                                ///< K K
-  std::ptrdiff_t stride = 0;                     ///< between planes: padded cells_x
-  AlignedVector<Real> stiffness, shear;          ///< shear: empty with one Poisson ratio
-  AlignedVector<float> tension, crush, cracked;  ///< empty where the plan has no use for them
+  int planes = 0;                        ///< K K
+  std::ptrdiff_t stride = 0;             ///< between planes: padded cells_x
+  AlignedVector<Real> stiffness, shear;  ///< shear: empty with one Poisson ratio
+  /// Empty where the plan has no use for them. cracked: see PointState. With one Poisson ratio the sweeps see
+  /// the stress of the intact point, so that thresholds grow as the stiffness is lost.
+  AlignedVector<float> tension, crush, cracked;
 
   [[nodiscard]] std::ptrdiff_t row(int cell_row) const { return cell_row * planes * stride; }
   [[nodiscard]] std::size_t at(int cell_row, int plane, int cell) const {
@@ -29,7 +33,21 @@ struct LatticePoints {
 
 /// Points of a scene with their thresholds drawn.
 template <class Real>
-[[nodiscard]] LatticePoints<Real> make_points(const Scene& scene, const Plan& plan);
+[[nodiscard]] LatticePoints<Real> make_points(const Scene& scene, const Plan& plan,
+                                              const StrengthFactors& factors);
+
+/// What the place of a point says of it, and how it is written there.
+struct PointKind {
+  const Phase* phase = nullptr;
+  double factor = 1;  ///< on its strength [-]
+  double share = 1;   ///< of its pixel [-]
+};
+template <class Real>
+[[nodiscard]] PointState read_point(const LatticePoints<Real>& points, std::size_t at, const Scene& scene,
+                                    const Plan& plan, const PointKind& kind);
+template <class Real>
+void write_point(LatticePoints<Real>& points, std::size_t at, const Scene& scene, const Plan& plan,
+                 const PointKind& kind, const PointState& point);
 
 /// Factor from a stress [Pa] to the measure of the sweeps.
 [[nodiscard]] double threshold_scale(const Plan& plan, const Phase& phase, double share);

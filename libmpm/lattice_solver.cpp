@@ -1,7 +1,6 @@
 #include "libmpm/lattice_solver.hpp"
 
 #include <algorithm>
-#include <barrier>
 #include <cmath>
 #include <thread>
 
@@ -32,8 +31,10 @@ template <class Real>
 LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
     : scene_(scene),
       plan_(plan),
+      law_(damage_law(scene, plan.cell_size, false)),
+      factors_(scene, plan.softens),
       grid_(make_grid(scene, plan)),
-      points_(make_points<Real>(scene, plan)),
+      points_(make_points<Real>(scene, plan, factors_)),
       extra_(make_extra_points(scene, plan)),
       maps_(empty_maps(scene, plan)) {
   const kernels::Kernels& kernels = chosen_kernels(scene.instruction_set);
@@ -60,7 +61,7 @@ LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
 
 template <class Real>
 void LatticeSolver<Real>::make_bands() {
-  const int count = std::clamp(scene_.threads, 1, plan_.cells_y);
+  const int count = std::clamp(plan_.threads, 1, plan_.cells_y);
   bands_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     Band& band = bands_[static_cast<std::size_t>(i)];
@@ -94,7 +95,7 @@ void LatticeSolver<Real>::find_pinned_node() {
 template <class Real>
 Ledger LatticeSolver<Real>::advance(std::int64_t steps) {
   steps = std::min(steps, plan_.steps + 1 - clock_.step);
-  std::barrier<> barrier(static_cast<std::ptrdiff_t>(bands_.size()));
+  Barrier barrier(static_cast<int>(bands_.size()));
   const Clock start = clock_;
   {
     std::vector<std::jthread> others;
@@ -107,8 +108,7 @@ Ledger LatticeSolver<Real>::advance(std::int64_t steps) {
 
 template <class Real>
 typename LatticeSolver<Real>::Clock LatticeSolver<Real>::run_band(std::size_t index, Clock clock,
-                                                                  std::int64_t steps,
-                                                                  std::barrier<>& barrier) {
+                                                                  std::int64_t steps, Barrier& barrier) {
   for (std::int64_t i = 0; i < steps; ++i) {
     const bool ledger = i + 1 == steps;
     advance_clock(clock);

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
-#include <barrier>
 #include <cstdint>
 #include <vector>
 
+#include "libmpm/barrier.hpp"
 #include "libmpm/extra_points.hpp"
 #include "libmpm/grid.hpp"
 #include "libmpm/lattice_points.hpp"
@@ -83,7 +83,7 @@ class LatticeSolver {
 
   void make_bands();
   void find_pinned_node();
-  Clock run_band(std::size_t index, Clock clock, std::int64_t steps, std::barrier<>& barrier);
+  Clock run_band(std::size_t index, Clock clock, std::int64_t steps, Barrier& barrier);
   void advance_clock(Clock& clock) const;
   void sweep_band(Band& band, const Clock& clock, bool ledger);
   [[nodiscard]] const ForceBuffer& last_upper(const Band& band) const;
@@ -94,6 +94,7 @@ class LatticeSolver {
   [[nodiscard]] Ledger balance() const;
   [[nodiscard]] bool strains_more_than(double limit) const;
   [[nodiscard]] bool strays_more_than(double limit) const;
+  [[nodiscard]] PointState state_of(int pixel_row, int pixel_col, std::size_t at) const;
   [[nodiscard]] bool is_intact(int row, int plane, int cell) const;
   void hand_over_pixels(MovingStart& start) const;
   void hand_over_extra_points(MovingStart& start) const;
@@ -107,14 +108,17 @@ class LatticeSolver {
   bool fail_suspects(Band& band, int row, double strain);
   bool fail_point(Band& band, int row, int plane, int cell, double strain);
   static void count(Band& band, FailureMode mode);
-  [[nodiscard]] double released_energy(const PointState& point, const StepStress& elastic,
-                                       FailureMode mode) const;
+  void record_failure(const Pixel& pixel, FailureMode mode, double strain);
+  [[nodiscard]] double released_energy(const PointState& before, const PointState& after,
+                                       const StepStress& elastic) const;
   void sweep_extra_points(Band& band, int row, const kernels::NodeForces<Real>& lower,
                           const kernels::NodeForces<Real>& upper, double strain);
   void fail_extra_point(Band& band, int row, CellPoint& point, const Stress<double>& elastic, double strain);
 
   const Scene& scene_;
   const Plan& plan_;
+  DamageLaw law_;
+  StrengthFactors factors_;
   Grid grid_;
   LatticePoints<Real> points_;
   ExtraPoints extra_;

@@ -8,12 +8,6 @@
 
 namespace mpm {
 
-template <class Real>
-Stress<double> MovingSolver<Real>::stress_at(const Slot& slot) const {
-  const auto value = [&](int field) { return static_cast<double>(points_.value(slot, field)); };
-  return {value(moving::sxx), value(moving::syy), value(moving::sxy)};
-}
-
 /// Without platens the strain is nominal: what the flight of the specimen would have made of its height.
 template <class Real>
 double MovingSolver<Real>::nominal_strain() const {
@@ -29,7 +23,22 @@ void MovingSolver<Real>::fail_suspects(Band& band, int row) {
       points_.for_each_of_block(row, block, [&](const Slot& slot) { fail_point(band, slot); });
 }
 
-/// Ends or cracks the point if its phase says so.
+template <class Real>
+PointState MovingSolver<Real>::read_state(const Slot& slot, const PointOrigin& origin) const {
+  const moving::RecordLayout& layout = points_.layout();
+  const auto value = [&](int field) { return static_cast<double>(points_.value(slot, field)); };
+  const Real intact = static_cast<Real>(stiffness(*origin.phase, scene_.plane)(2, 2));
+  PointState point = intact_point(*origin.phase, factor_of(factors_, origin));
+  point.kept = value(moving::shear) / static_cast<double>(intact);
+  point.cracked = layout.cracked >= 0 ? value(layout.cracked) : 0;
+  if (layout.tension < 0 || !(value(layout.tension) < static_cast<double>(kernels::unreachable)))
+    point.strength = Phase::unbreakable;
+  else if (point.kept < 1 || point.cracked > 0)
+    point.strength = value(layout.tension);
+  return point;
+}
+
+/// Does to the point what its phase says.
 template <class Real>
 void MovingSolver<Real>::fail_point(Band& band, const Slot& slot) {
   const auto unreachable = static_cast<Real>(kernels::unreachable);
@@ -37,51 +46,45 @@ void MovingSolver<Real>::fail_point(Band& band, const Slot& slot) {
   const auto reachable = [&](int field) { return field >= 0 && points_.value(slot, field) < unreachable; };
   if (!reachable(layout.tension) && !reachable(layout.crush)) return;
   const PointOrigin origin = origin_of(scene_, points_.id(slot));
-  const Phase& phase = *origin.phase;
-  const int crack_field = layout.cracked;
-  const bool cracked = crack_field >= 0 && points_.value(slot, crack_field) > 0;
-  const double factor = strength_factor(origin.random, phase.weibull_modulus);
-  const PointState state{&phase, factor, cracked ? scene_.damage.crack_closure : CrackClosure::off};
-  const Stress<double> elastic = stress_at(slot);
-  const FailureMode mode = judge(state, elastic, scene_.plane);
-  if (mode == FailureMode::none) return;
-
-  const bool closes = plan_.features.crack_closure && mode == FailureMode::tension;
-  PointState after = state;
-  after.crack = closes ? scene_.damage.crack_closure : CrackClosure::off;
-  const double kept = closes ? 1.0 : scene_.damage.residual_stiffness;
-  const auto power = [&](const PointState& point) {
-    return stress_power(phase, scene_.plane, carried_stress(point, elastic, scene_.plane), elastic);
+  const PointState before = read_state(slot, origin);
+  const auto intact_stress = [&](int field) {
+    return static_cast<double>(points_.value(slot, field)) / before.kept;
   };
-  band.tally.released +=
-      0.5 * (power(state) - kept * power(after)) * static_cast<double>(points_.value(slot, moving::volume));
-  ++(mode == FailureMode::tension ? band.tally.tension_failures : band.tally.shear_failures);
-  for (const int threshold : {layout.tension, layout.crush})
-    if (threshold >= 0) points_.value(slot, threshold) = unreachable;
-  if (closes) {
-    points_.value(slot, crack_field) = 1;
-    points_.value(slot, layout.crush) = static_cast<Real>(stored_threshold(shear_onset(phase, factor, 0), 1));
-  } else {
-    for (const int field : {moving::sxx, moving::syy, moving::sxy, moving::lame, moving::shear})
-      points_.value(slot, field) *= static_cast<Real>(kept);
-    if (crack_field >= 0) points_.value(slot, crack_field) = 0;
-    if (kept == 0) ++band.failed[origin.label];
-  }
-  record_failure(origin, cracked, mode);
+  const Stress<double> elastic{intact_stress(moving::sxx), intact_stress(moving::syy),
+                               intact_stress(moving::sxy)};
+  const Response response = respond(before, elastic, law_);
+  if (!response.changed) return;
+
+  const auto power = [&](const PointState& point) {
+    return stress_power(*point.phase, scene_.plane, carried_stress(point, elastic, law_), elastic);
+  };
+  row_released_[static_cast<std::size_t>(slot.row)] +=
+      0.5 * (power(before) - power(response.point)) *
+      static_cast<double>(points_.value(slot, moving::volume));
+  write_state(response.point, &points_.value(slot, 0), points_.lanes());
+  const double share = response.point.kept / before.kept;
+  for (const int field : {moving::sxx, moving::syy, moving::sxy, moving::lame, moving::shear})
+    points_.value(slot, field) *= static_cast<Real>(share);
+  if (response.point.kept == 0) ++band.failed[origin.label];
+  if (response.failure == FailureMode::none) return;
+  ++(response.failure == FailureMode::tension ? band.tension_failures : band.shear_failures);
+  record_failure(origin, response.failure);
 }
 
+/// A point that failed before can only be crushed.
 template <class Real>
-void MovingSolver<Real>::record_failure(const PointOrigin& origin, bool cracked, FailureMode mode) {
+void MovingSolver<Real>::record_failure(const PointOrigin& origin, FailureMode mode) {
   const auto strain = static_cast<float>(nominal_strain());
+  const auto code = static_cast<std::uint8_t>(mode);
   if (origin.row < 0) {
-    if (cracked) return;
+    if (maps_.extra_failure_mode[origin.extra] != 0) return;
     maps_.extra_failure_strain[origin.extra] = strain;
-    maps_.extra_failure_mode[origin.extra] = static_cast<std::uint8_t>(mode);
-  } else if (cracked) {
-    maps_.crush_strain(origin.row, origin.col) = strain;
-  } else {
+    maps_.extra_failure_mode[origin.extra] = code;
+  } else if (maps_.failure_mode(origin.row, origin.col) == 0) {
     maps_.failure_strain(origin.row, origin.col) = strain;
-    maps_.failure_mode(origin.row, origin.col) = static_cast<std::uint8_t>(mode);
+    maps_.failure_mode(origin.row, origin.col) = code;
+  } else if (maps_.crush_strain.size() > 0) {
+    maps_.crush_strain(origin.row, origin.col) = strain;
   }
 }
 
@@ -93,7 +96,8 @@ Ledger MovingSolver<Real>::balance() {
   ledger.force_top = force_top_;
   ledger.force_bottom = force_bottom_;
   ledger.platen_work = sums_.platen_work;
-  ledger.released = sums_.released;
+  ledger.released = start_.released;
+  for (const double released : row_released_) ledger.released += released;
   ledger.damped = start_.damped;
   for (const double damped : row_damped_) ledger.damped += damped;
   ledger.left = left_energy_;

@@ -51,6 +51,7 @@ template <class Real>
 template <class Real>
 class TileSums {
  public:
+  TileSums() = default;
   /// @param band_ends  rows of tiles at which the bands end, rising.
   TileSums(const MovingGeometry& geometry, int quantities, const std::vector<int>& band_ends);
 

@@ -38,7 +38,7 @@ enum Field : int {
 struct OptionalFields {
   bool tension = false;      ///< largest principal stress that the point survives [Pa]
   bool crush = false;        ///< least -s3 at which shear failure is possible [Pa]
-  bool cracked = false;      ///< 1 where a point failed in tension and carries compression only, else 0
+  bool cracked = false;      ///< share of its resistance to tension that a point has lost [-]
   bool affine = false;       ///< velocity gradient of APIC [1/s], row by row
   bool deformation = false;  ///< deformation gradient [-], row by row
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "libmpm/instruction_set.hpp"
@@ -29,6 +30,9 @@ moving::Integrate<Real> undamped_integrate(const Scene& scene, moving::Features 
   return chosen_moving_kernels(scene.instruction_set).template sweeps<Real>(features).integrate;
 }
 
+/// Rows of a band: no two may meet in one row of nodes with a third.
+int least_rows(const MovingGeometry& geometry) { return geometry.reach - 1; }
+
 }  // namespace
 
 template <class Real>
@@ -39,14 +43,15 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
       integrate_undamped_(undamped_integrate<Real>(scene, plan.moving.features)),
       geometry_(moving_geometry(scene, plan)),
       supports_(supports_of(scene)),
+      law_(damage_law(scene, plan.moving.crack_band, true)),
+      factors_(scene, plan.softens),
       grid_(make_moving_grid<Real>(geometry_)),
-      bands_(make_bands(scene, geometry_)),
-      momentum_(geometry_, 3, band_ends()),
-      force_(geometry_, 2, band_ends()),
+      bands_(make_bands(scene, plan.threads, geometry_)),
       points_(geometry_.tiles_y, geometry_.tiles_x, sweeps_.lanes, record_layout(plan.moving.optional)),
       contact_(grid_.mass.size(), std::uint8_t{0}),
       row_impulses_(static_cast<std::size_t>(geometry_.nodes_y)),
       row_damped_(static_cast<std::size_t>(geometry_.nodes_y), 0.0),
+      row_released_(static_cast<std::size_t>(geometry_.tiles_y), 0.0),
       live_(scene.phases.size(), 0),
       speeds_(scene.phases.size(), 0.0),
       start_(start.tally),
@@ -75,27 +80,64 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   for (Band& band : bands_) band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
 }
 
+/// Bands without rows yet, no more than can have enough of them.
 template <class Real>
 std::vector<typename MovingSolver<Real>::Band> MovingSolver<Real>::make_bands(
-    const Scene& scene, const MovingGeometry& geometry) {
-  // Two bands must not meet in one row of nodes with a third.
-  const int most = std::max(1, geometry.tiles_y / (geometry.reach - 1));
-  const int count = std::clamp(scene.threads, 1, most);
-  std::vector<Band> bands(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    Band& band = bands[static_cast<std::size_t>(i)];
-    band.begin = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * i / count);
-    band.end = static_cast<int>(static_cast<std::int64_t>(geometry.tiles_y) * (i + 1) / count);
-    band.failed.assign(scene.phases.size(), 0);
-  }
+    const Scene& scene, int threads, const MovingGeometry& geometry) {
+  const int most = std::max(1, geometry.tiles_y / least_rows(geometry));
+  std::vector<Band> bands(static_cast<std::size_t>(std::clamp(threads, 1, most)));
+  for (Band& band : bands) band.failed.assign(scene.phases.size(), 0);
   return bands;
 }
 
+/// By row of tiles, in sweeps over a record; the nodes of a block take about half as long.
 template <class Real>
-std::vector<int> MovingSolver<Real>::band_ends() const {
+std::vector<std::int64_t> MovingSolver<Real>::work_of_rows() const {
+  std::vector<std::int64_t> work;
+  for (int row = 0; row < points_.rows(); ++row) {
+    std::int64_t halves = points_.blocks();
+    for (int block = 0; block < points_.blocks(); ++block) halves += 2 * points_.used(row, block);
+    work.push_back(halves / 2 + 1);
+  }
+  return work;
+}
+
+/// Cuts the rows into bands of like work, when those at hand differ by more than a twentieth: points wander.
+template <class Real>
+void MovingSolver<Real>::share_rows() {
+  const std::vector<std::int64_t> work = work_of_rows();
+  const auto sum_of = [&](int begin, int end) {
+    return std::accumulate(work.begin() + begin, work.begin() + end, std::int64_t{0});
+  };
+  const auto count = static_cast<std::int64_t>(bands_.size());
+  const std::int64_t all = sum_of(0, geometry_.tiles_y);
+  const bool fair = std::all_of(bands_.begin(), bands_.end(), [&](const Band& band) {
+    return band.end > band.begin && 20 * count * sum_of(band.begin, band.end) <= 21 * all;
+  });
+  if (fair) return;
+  const int least = least_rows(geometry_);
   std::vector<int> ends;
-  for (const Band& band : bands_) ends.push_back(band.end);
-  return ends;
+  int row = 0;
+  std::int64_t done = 0;
+  for (std::int64_t i = 1; i <= count; ++i) {
+    const int first = row + least;
+    const int last = geometry_.tiles_y - least * static_cast<int>(count - i);
+    // A row goes to the band that holds the middle of its work.
+    const auto is_mine = [&] {
+      return count * (2 * done + work[static_cast<std::size_t>(row)]) <= 2 * i * all;
+    };
+    while (row < last && (row < first || i == count || is_mine()))
+      done += work[static_cast<std::size_t>(row++)];
+    ends.push_back(row);
+  }
+  bool same = true;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    bands_[i].begin = i == 0 ? 0 : ends[i - 1];
+    same &= std::exchange(bands_[i].end, ends[i]) == ends[i];
+  }
+  if (same) return;
+  momentum_ = TileSums<Real>(geometry_, 3, ends);
+  force_ = TileSums<Real>(geometry_, 2, ends);
 }
 
 template <class Real>
@@ -135,18 +177,31 @@ typename MovingSolver<Real>::Loose MovingSolver<Real>::loose_point(const StartPo
   v[shear] = static_cast<Real>(point.kept * c(2, 2));
   const RecordLayout& layout = points_.layout();
   const auto at = [&](int field) -> Real& { return v[static_cast<std::size_t>(field)]; };
-  const bool fails = phase.can_fail() && !point.ghost;
-  const double factor = fails ? strength_factor(origin.random, phase.weibull_modulus) : 1;
-  const double onset = point.cracked ? 0 : tension_threshold(phase, factor);
-  if (layout.tension >= 0)
-    at(layout.tension) =
-        static_cast<Real>(fails && !point.cracked ? stored_threshold(onset, 1) : kernels::unreachable);
-  if (layout.crush >= 0)
-    at(layout.crush) = static_cast<Real>(fails ? stored_threshold(shear_onset(phase, factor, onset), 1)
-                                               : kernels::unreachable);
-  if (layout.cracked >= 0) at(layout.cracked) = point.cracked ? 1 : 0;
+  PointState state = intact_point(phase, factor_of(factors_, origin));
+  state.kept = point.kept;
+  state.cracked = point.cracked;
+  if (point.strength >= 0) state.strength = point.strength;
+  state.spent |= point.ghost;
+  write_state(state, v.data(), 1);
   if (layout.deformation >= 0) at(layout.deformation) = at(layout.deformation + 3) = 1;
   return loose;
+}
+
+/// What the sweeps need to know of the state of a point, into the fields of its record.
+/// @param stride  from a field to the next.
+template <class Real>
+void MovingSolver<Real>::write_state(const PointState& state, Real* fields, int stride) const {
+  const auto at = [&](int field) -> Real& { return fields[field * stride]; };
+  const moving::RecordLayout& layout = points_.layout();
+  const auto threshold = [&](double stress) {
+    return static_cast<Real>(state.spent ? kernels::unreachable : stored_threshold(stress, 1));
+  };
+  if (layout.tension >= 0) at(layout.tension) = threshold(state.strength);
+  if (layout.crush >= 0) {
+    const double largest = state.cracked == 1 ? 0 : tension_threshold(*state.phase, state.factor);
+    at(layout.crush) = threshold(shear_onset(*state.phase, state.factor, largest));
+  }
+  if (layout.cracked >= 0) at(layout.cracked) = static_cast<Real>(state.cracked);
 }
 
 template <class Real>

@@ -17,7 +17,8 @@ bool MovingSolver<Real>::is_done() const {
 template <class Real>
 Ledger MovingSolver<Real>::advance(std::int64_t steps) {
   clock_.stopped = false;
-  std::barrier<> barrier(static_cast<std::ptrdiff_t>(bands_.size()));
+  share_rows();
+  Barrier barrier(static_cast<int>(bands_.size()));
   {
     std::vector<std::jthread> others;
     for (std::size_t i = 1; i < bands_.size(); ++i)
@@ -28,7 +29,7 @@ Ledger MovingSolver<Real>::advance(std::int64_t steps) {
 }
 
 template <class Real>
-void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, std::barrier<>& barrier) {
+void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, Barrier& barrier) {
   Band& band = bands_[index];
   for (std::int64_t i = 0; i < steps; ++i) {
     if (index == 0) begin_step();
@@ -95,9 +96,8 @@ void MovingSolver<Real>::end_step() {
   force_top_ = sum.top / clock_.dt;
   sums_ = start_;
   for (Band& band : bands_) {
-    sums_.released += band.tally.released;
-    sums_.tension_failures += band.tally.tension_failures;
-    sums_.shear_failures += band.tally.shear_failures;
+    sums_.tension_failures += band.tension_failures;
+    sums_.shear_failures += band.shear_failures;
     for (std::size_t label = 0; label < live_.size(); ++label)
       live_[label] -= std::exchange(band.failed[label], 0);
   }
@@ -114,7 +114,7 @@ void MovingSolver<Real>::end_step() {
 
 template <class Real>
 template <class Scatter, class Sweep>
-void MovingSolver<Real>::scatter_rows(Band& band, std::barrier<>& barrier, Scatter&& scatter, Sweep&& sweep) {
+void MovingSolver<Real>::scatter_rows(Band& band, Barrier& barrier, Scatter&& scatter, Sweep&& sweep) {
   // Above the lowest rows of nodes, which the band below reaches too, all is there with the row itself.
   const int own = band.begin > 0 ? band.begin + geometry_.reach - 1 : 0;
   for (int row = band.begin; row < band.end; ++row) {
@@ -131,7 +131,7 @@ void MovingSolver<Real>::scatter_rows(Band& band, std::barrier<>& barrier, Scatt
 /// From the points as they are to the velocity of the nodes at the end of the step.
 /// @param chooses  it strains the points too (USL), or gives linear APIC its slopes.
 template <class Real>
-void MovingSolver<Real>::accelerate_nodes(Band& band, std::barrier<>& barrier, bool chooses) {
+void MovingSolver<Real>::accelerate_nodes(Band& band, Barrier& barrier, bool chooses) {
   using Grid = MovingGrid<Real>;
   scatter_rows(
       band, barrier,
@@ -148,7 +148,7 @@ void MovingSolver<Real>::accelerate_nodes(Band& band, std::barrier<>& barrier, b
 }
 
 template <class Real>
-void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
+void MovingSolver<Real>::step_musl(Band& band, Barrier& barrier) {
   using Grid = MovingGrid<Real>;
   accelerate_nodes(band, barrier, slopes_from_straining_);
   scatter_rows(
@@ -168,7 +168,7 @@ void MovingSolver<Real>::step_musl(Band& band, std::barrier<>& barrier) {
 }
 
 template <class Real>
-void MovingSolver<Real>::step_usl(Band& band, std::barrier<>& barrier) {
+void MovingSolver<Real>::step_usl(Band& band, Barrier& barrier) {
   accelerate_nodes(band, barrier, true);
   for (int row = band.begin; row < band.end; ++row) {
     gather_motion(band, row);
@@ -178,7 +178,7 @@ void MovingSolver<Real>::step_usl(Band& band, std::barrier<>& barrier) {
 }
 
 template <class Real>
-void MovingSolver<Real>::step_usf(Band& band, std::barrier<>& barrier) {
+void MovingSolver<Real>::step_usf(Band& band, Barrier& barrier) {
   using Grid = MovingGrid<Real>;
   scatter_rows(
       band, barrier, [&](int row) { scatter_mass_and_momentum(row); },

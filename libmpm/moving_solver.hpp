@@ -2,12 +2,12 @@
 /// velocity and stress; the grid is made anew in each step.
 #pragma once
 
-#include <barrier>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "libmpm/barrier.hpp"
 #include "libmpm/ledger.hpp"
 #include "libmpm/moving_grid.hpp"
 #include "libmpm/moving_points.hpp"
@@ -72,7 +72,7 @@ class MovingSolver {
     std::vector<Loose> movers;         ///< points that left their tile
     std::vector<std::int64_t> failed;  ///< by label, in this step
     Real fastest = 0;                  ///< largest square of a speed [m^2/s^2]
-    Tally tally;
+    std::int64_t tension_failures = 0, shear_failures = 0;
   };
 
   /// What changes from step to step.
@@ -85,25 +85,27 @@ class MovingSolver {
     bool stopped = false;     ///< nothing is to be done any more
   };
 
-  [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, const MovingGeometry& geometry);
-  [[nodiscard]] std::vector<int> band_ends() const;
+  [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, int threads,
+                                                    const MovingGeometry& geometry);
+  void share_rows();
+  [[nodiscard]] std::vector<std::int64_t> work_of_rows() const;
   void load_points(const std::vector<StartPoint>& points);
   [[nodiscard]] Loose loose_point(const StartPoint& point) const;
   [[nodiscard]] TilePlace place_of(double x, double y, Real& xi, Real& eta) const;
 
-  void run_band(std::size_t index, std::int64_t steps, std::barrier<>& barrier);
+  void run_band(std::size_t index, std::int64_t steps, Barrier& barrier);
   void begin_step();
   void choose_time_step();
   void end_step();
-  void step_usf(Band& band, std::barrier<>& barrier);
-  void step_usl(Band& band, std::barrier<>& barrier);
-  void accelerate_nodes(Band& band, std::barrier<>& barrier, bool chooses);
-  void step_musl(Band& band, std::barrier<>& barrier);
+  void step_usf(Band& band, Barrier& barrier);
+  void step_usl(Band& band, Barrier& barrier);
+  void accelerate_nodes(Band& band, Barrier& barrier, bool chooses);
+  void step_musl(Band& band, Barrier& barrier);
 
   /// scatter(row) for the rows of a band, and sweep(row) for every row of nodes once all that meets in it is
   /// there.
   template <class Scatter, class Sweep>
-  void scatter_rows(Band& band, std::barrier<>& barrier, Scatter&& scatter, Sweep&& sweep);
+  void scatter_rows(Band& band, Barrier& barrier, Scatter&& scatter, Sweep&& sweep);
   void scatter_mass_and_momentum(int row);
   void scatter_internal_force(int row);
   void sum_momentum(int node_row, Field vx, Field vy);
@@ -127,9 +129,10 @@ class MovingSolver {
 
   void fail_suspects(Band& band, int row);
   void fail_point(Band& band, const Slot& slot);
-  [[nodiscard]] Stress<double> stress_at(const Slot& slot) const;
   [[nodiscard]] double nominal_strain() const;
-  void record_failure(const PointOrigin& origin, bool cracked, FailureMode mode);
+  [[nodiscard]] PointState read_state(const Slot& slot, const PointOrigin& origin) const;
+  void write_state(const PointState& state, Real* fields, int stride) const;
+  void record_failure(const PointOrigin& origin, FailureMode mode);
 
   [[nodiscard]] moving::NodeVectors<Real> nodes(int tile_row, Field x, Field y) const;
   [[nodiscard]] moving::TileRow<Real> tiles(int row);
@@ -147,6 +150,8 @@ class MovingSolver {
   moving::Integrate<Real> integrate_undamped_;
   MovingGeometry geometry_;
   Supports supports_;
+  DamageLaw law_;
+  StrengthFactors factors_;
   MovingGrid<Real> grid_;
   std::vector<Band> bands_;
   TileSums<Real> momentum_, force_;
@@ -155,6 +160,7 @@ class MovingSolver {
   std::vector<std::uint8_t> contact_;   ///< by node: which supports it touches
   std::vector<Impulses> row_impulses_;  ///< by row of nodes, in this step
   std::vector<double> row_damped_;      ///< by row of nodes, in all [J/m]
+  std::vector<double> row_released_;    ///< by row of tiles, in all [J/m]
   std::vector<std::int64_t> live_;      ///< points that carry load, by label
   std::vector<double> speeds_;          ///< of the compression wave, by label [m/s]
   Real least_mass_ = 0, light_mass_ = 0;

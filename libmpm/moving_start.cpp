@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "libmpm/grid.hpp"
-#include "libmpm/strength.hpp"
 
 namespace mpm {
 
@@ -26,6 +25,13 @@ void FailureMaps::move_to(Result& result) {
   result.crush_strain = std::move(crush_strain);
   result.extra_failure_strain = std::move(extra_failure_strain);
   result.extra_failure_mode = std::move(extra_failure_mode);
+}
+
+void StartPoint::take(const PointState& state) {
+  kept = state.kept;
+  cracked = state.cracked;
+  strength = state.strength;
+  ghost = state.spent && state.kept < 1;
 }
 
 MovingStart start_of(const Scene& scene, const Plan& plan) {
@@ -75,14 +81,16 @@ PointOrigin origin_of(const Scene& scene, std::uint32_t id) {
     origin.row = static_cast<int>(id / scene.labels.cols());
     origin.col = static_cast<int>(id % scene.labels.cols());
     origin.label = scene.labels(origin.row, origin.col);
-    origin.random = pixel_random(scene.damage.seed, origin.row, origin.col);
   } else {
     origin.extra = id - pixels;
     origin.label = scene.extra_points[origin.extra].phase;
-    origin.random = uniform_random(scene.damage.seed, origin.extra, 1);
   }
   origin.phase = &*scene.phases[origin.label];
   return origin;
+}
+
+double factor_of(const StrengthFactors& factors, const PointOrigin& origin) {
+  return origin.row < 0 ? factors.of_extra_point(origin.extra) : factors.of_pixel(origin.row, origin.col);
 }
 
 }  // namespace mpm

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "libmpm/failure.hpp"
 #include "libmpm/plan.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene.hpp"
+#include "libmpm/strength_field.hpp"
 #include "libmpm/stress.hpp"
 
 namespace mpm {
@@ -20,8 +22,11 @@ struct StartPoint {
   double volume = 0;      ///< [m^2]
   Stress<double> stress;  ///< of the intact material, or with its residual stiffness [Pa]
   double kept = 1;        ///< share of its stiffness that it still has [-]
-  bool ghost = false;     ///< failed
-  bool cracked = false;   ///< failed in tension, and carries compression (crack closure)
+  double cracked = 0;     ///< share of its resistance to tension that it has lost (crack closure) [-]
+  double strength = -1;   ///< largest principal stress that it still carries [Pa]; < 0 = its first strength
+  bool ghost = false;     ///< nothing can happen to it any more
+
+  void take(const PointState& state);
 };
 
 /// Counts and energies so far.
@@ -60,10 +65,11 @@ struct MovingStart {
 struct PointOrigin {
   const Phase* phase = nullptr;
   std::uint8_t label = 0;
-  double random = 0.5;     ///< its random number
   int row = -1, col = -1;  ///< of its pixel; -1 for extra points
   std::size_t extra = 0;   ///< index in Scene::extra_points, when row < 0
 };
 [[nodiscard]] PointOrigin origin_of(const Scene& scene, std::uint32_t id);
+/// Factor on its strength [-].
+[[nodiscard]] double factor_of(const StrengthFactors& factors, const PointOrigin& origin);
 
 }  // namespace mpm

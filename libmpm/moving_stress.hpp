@@ -44,8 +44,9 @@ MPM_INLINE Stress<Pack<Real>> carried(const Stress<Pack<Real>>& s, const TileRow
     const Pack<Real> axial = lame + 2 * field(record, Field::shear);
     const Pack<Real> lateral = unilateral * lame / (axial > zero ? axial : all<Real>(1));
     const Stress<Pack<Real>> c = closed_crack<Real>(s, lateral);
-    const Mask<Real> cracked = field(record, row.layout.cracked) > zero;
-    return {cracked ? c.xx : s.xx, cracked ? c.yy : s.yy, cracked ? c.xy : s.xy};
+    const Pack<Real> cracked = field(record, row.layout.cracked);
+    const Pack<Real> whole = 1 - cracked;
+    return {whole * s.xx + cracked * c.xx, whole * s.yy + cracked * c.yy, whole * s.xy + cracked * c.xy};
   }
 }
 

@@ -64,6 +64,10 @@ void validate(const Phase& phase, Plane plane) {
         phase.friction_angle * 180 / std::numbers::pi, "deg", "must lie in [0, 90) deg");
   check(finite(phase.weibull_modulus) && phase.weibull_modulus > 0, "weibull_modulus", phase.weibull_modulus,
         "", "must be > 0");
+  check(finite(phase.fracture_energy) && phase.fracture_energy >= 0, "fracture_energy", phase.fracture_energy,
+        "J/m2", "must be > 0, or 0 for a phase that cracks at one blow");
+  check(phase.fracture_energy == 0 || phase.can_crack(), "fracture_energy", phase.fracture_energy, "J/m2",
+        "is for a phase with a tensile_scale");
 }
 
 }  // namespace mpm

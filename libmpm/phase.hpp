@@ -22,9 +22,11 @@ struct Phase {
   double cohesion = unbreakable;       ///< Mohr-Coulomb c [Pa], > 0
   double friction_angle = 0;           ///< Mohr-Coulomb phi [rad], in [0, pi/2)
   double weibull_modulus = 1.5;        ///< m [-], > 0
+  double fracture_energy = 0;          ///< G_f of a crack band [J/m^2]; 0 = cracks at one blow
 
   [[nodiscard]] bool can_crack() const { return tensile_scale < unbreakable; }
   [[nodiscard]] bool can_shear() const { return cohesion < unbreakable; }
+  [[nodiscard]] bool softens() const { return can_crack() && fracture_energy > 0; }
   [[nodiscard]] bool can_fail() const { return can_crack() || can_shear(); }
 };
 

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include "libmpm/error.hpp"
+#include "libmpm/idle_cores.hpp"
+#include "libmpm/softening.hpp"
+#include "libmpm/strength.hpp"
+#include "libmpm/strength_field.hpp"
 
 namespace mpm {
 namespace {
@@ -70,6 +76,10 @@ MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, do
   plan.mapped_back =
       motion.scheme == Scheme::musl || (motion.scheme == Scheme::usl && motion.transfer == Transfer::apic);
   plan.half_size = motion.shape == Shape::gimp ? 0.5 / scene.points_per_cell : 0.5;
+  // Measured: points as wide as a cell smear a crack over that many cells, the others over the one it lies
+  // in.
+  const bool wide = motion.shape != Shape::linear && plan.half_size >= 0.5;
+  plan.crack_band = wide ? 1.95 * cell_size : cell_size;
   const double margin = motion.margin < 0 ? 0.25 * scene.width() : motion.margin;
   const int cells = static_cast<int>(std::ceil(margin / cell_size - 1e-9));
   const auto beyond = [&](Edge edge) { return edge == Edge::closed || edge == Edge::open ? cells : 0; };
@@ -105,6 +115,66 @@ std::int64_t steps_needed(const Scene& scene, const Plan& plan) {
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
 }
 
+/// A thread for as many points as take it some ten times longer than a wait for the others.
+int threads_worth_having(const Scene& scene) {
+  if (scene.threads > 0) return scene.threads;
+  const std::int64_t share = scene.kinematics == Kinematics::small_strain ? 10'000 : 2'500;
+  // Threads that share a core with others wait for each other most of the time.
+  const std::int64_t cores = idle_cores();
+  return static_cast<int>(
+      std::clamp<std::int64_t>(count_points(scene) / share, 1, std::min<std::int64_t>(cores, 1024)));
+}
+
+/// A crack that opens in small strain must not change its width when points begin to move.
+void refuse_other_width(const Scene& scene, const Plan& plan) {
+  if (scene.kinematics == Kinematics::automatic && plan.moving.crack_band != plan.cell_size)
+    throw Error("motion.shape",
+                scene.motion.shape == Shape::bspline ? "bspline" : "gimp with one point a cell",
+                "smears a crack over two cells, and small strain over one",
+                "choose linear or gimp with 2 x 2 points a cell, or solver.kinematics moving");
+}
+
+/// Strongest point of each phase that softens, by label [-]; 0 = none.
+std::vector<double> largest_factors(const Scene& scene) {
+  std::vector<double> largest(scene.phases.size(), 0.0);
+  const StrengthFactors factors(scene, false);
+  const auto take = [&](std::uint8_t label, auto&& factor) {
+    if (scene.phases[label] && scene.phases[label]->softens())
+      largest[label] = std::max(largest[label], factor());
+  };
+  for (int row = 0; row < scene.labels.rows(); ++row)
+    for (int col = 0; col < scene.labels.cols(); ++col)
+      take(scene.labels(row, col), [&] { return factors.of_pixel(row, col); });
+  for (std::size_t i = 0; i < scene.extra_points.size(); ++i)
+    take(scene.extra_points[i].phase, [&] { return factors.of_extra_point(i); });
+  return largest;
+}
+
+std::string rounded(double value, const char* unit) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3g %s", value, unit);
+  return text;
+}
+
+/// A band that has to give back more energy than its crack takes cannot follow its curve.
+void refuse_snap_back(const Scene& scene, double band) {
+  const std::vector<double> largest = largest_factors(scene);
+  for (std::size_t label = 0; label < largest.size(); ++label) {
+    if (largest[label] <= 0) continue;
+    const Phase& phase = *scene.phases[label];
+    const double peak = tension_threshold(phase, largest[label]);
+    const double widest = widest_band(phase, scene.plane, peak);
+    if (band < widest) continue;
+    const double pixel = 0.999 * scene.pixel_size * widest / band;
+    throw Error("phases." + phase.name + ".fracture_energy", rounded(phase.fracture_energy, "J/m2"),
+                "is less than the elastic energy of a crack band of " + rounded(1e3 * band, "mm") +
+                    " at the strongest point, " + rounded(1e-6 * peak, "MPa"),
+                "use pixels of " + rounded(1e3 * pixel, "mm") +
+                    " at most, a larger weibull_modulus or a larger "
+                    "fracture_energy");
+  }
+}
+
 }  // namespace
 
 Plan plan(const Scene& scene) {
@@ -126,6 +196,13 @@ Plan plan(const Scene& scene) {
   plan.poisson = phases.front()->poisson;
   if (scene.kinematics != Kinematics::small_strain)
     plan.moving = moving_plan(scene, plan.features, plan.cell_size);
+  plan.threads = threads_worth_having(scene);
+  plan.softens =
+      std::any_of(phases.begin(), phases.end(), [](const Phase* phase) { return phase->softens(); });
+  if (plan.softens) {
+    refuse_other_width(scene, plan);
+    refuse_snap_back(scene, std::max(plan.cell_size, plan.moving.crack_band));
+  }
   plan.steps = steps_needed(scene, plan);
   plan.steps_per_row = std::max<std::int64_t>(1, plan.steps / scene.history_rows);
   return plan;

@@ -15,6 +15,7 @@ struct MovingPlan {
   moving::OptionalFields optional;  ///< numbers of a point that this run carries
   bool mapped_back = true;  ///< the new momentum goes to the nodes once more (MUSL, and USL with APIC)
   double half_size = 0.5;   ///< of a point, over the size of a cell [-]
+  double crack_band = 0;    ///< width over which a crack is smeared [m]
   int margin_left = 0, margin_right = 0, margin_bottom = 0, margin_top = 0;  ///< cells beyond the picture
 };
 
@@ -25,9 +26,11 @@ struct Plan {
   double dt = 0;                   ///< [s]
   double wave_speed = 0;           ///< of the fastest phase present [m/s]
   double ramp_time = 0;            ///< [s]
+  int threads = 1;                 ///< that share the rows
   std::int64_t steps = 0;          ///< to stop_strain or the end of the duration, with this time step
   std::int64_t steps_per_row = 0;  ///< between rows of the history
   kernels::Features features;      ///< what the sweeps are compiled with
+  bool softens = false;            ///< some point has a fracture energy
   double poisson = 0;              ///< of all phases, when features.one_poisson_ratio
   MovingPlan moving;               ///< unless the kinematics are those of small strain
 };

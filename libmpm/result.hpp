@@ -67,6 +67,7 @@ struct Result {
   double wall_time = 0;         ///< of the time loop [s]
   double energy_error = 0;      ///< largest imbalance of the ledger over the platen work [-]
   std::string instruction_set;  ///< that the kernels ran on, e.g. "avx512"
+  std::int64_t threads = 1;     ///< that shared the work
   StopReason stop = StopReason::strain;
 
   [[nodiscard]] double point_updates_per_second() const {

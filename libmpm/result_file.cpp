@@ -105,6 +105,7 @@ void write_figures(hid_t file, const Result& result, const std::string& scene_te
   write_number(file, "wall_time_s", result.wall_time);
   write_number(file, "energy_error", result.energy_error);
   write_text(file, "instruction_set", result.instruction_set);
+  write_number(file, "threads", result.threads);
   write_text(file, "stop_reason", stop_name(result.stop));
   write_text(file, "scene", scene_text);
 }

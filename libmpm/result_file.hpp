@@ -3,7 +3,7 @@
 /// Layout, as h5py shows it:
 ///   /                attributes: format, format_version, peak_stress_Pa, peak_strain, tension_failures,
 ///                    shear_failures, points, steps, dt_s, wall_time_s, energy_error, instruction_set,
-///                    stop_reason ("strain", "time", "drop", "interrupted"), scene (TOML text)
+///                    threads, stop_reason ("strain", "time", "drop", "interrupted"), scene (TOML text)
 ///   /history/NAME    one dataset a column of HistoryRow, shape (rows); attributes unit, meaning
 ///   /failure_strain  float32, shape (rows, cols), row 0 = top of the picture; NaN = did not fail
 ///   /failure_mode    uint8, same shape: 0 none, 1 tension, 2 shear

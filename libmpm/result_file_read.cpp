@@ -135,6 +135,7 @@ void read_figures(hid_t file, Result& result) {
   result.wall_time = read_number<double>(file, "wall_time_s");
   result.energy_error = read_number<double>(file, "energy_error");
   result.instruction_set = read_text(file, "instruction_set");
+  result.threads = read_number<std::int64_t>(file, "threads");
   result.stop = stop_of(read_text(file, "stop_reason"));
 }
 

@@ -61,6 +61,8 @@ void validate_platens(const Loading& loading) {
       "between platens the specimen begins at rest", "choose loading.direction none");
   require(loading.duration == 0, "loading.duration", text(loading.duration, "s"),
           "between platens a run ends at loading.stop_strain", "choose loading.direction none");
+  require(!loading.separation || loading.direction == Direction::compression, "loading.separation", "true",
+          "platens that pull must hold the specimen", "choose loading.direction compression");
 }
 
 void validate_flight(const Loading& loading) {
@@ -144,8 +146,11 @@ void validate_solver(const Scene& scene) {
           text(scene.local_damping, ""), "must lie in [0, 1)");
   require(scene.damage.residual_stiffness >= 0 && scene.damage.residual_stiffness < 1,
           "damage.residual_stiffness", text(scene.damage.residual_stiffness, ""), "must lie in [0, 1)");
-  require(scene.threads >= 1 && scene.threads <= 1024, "solver.threads", std::to_string(scene.threads),
-          "must lie in 1 ... 1024");
+  require(std::isfinite(scene.damage.correlation_length) && scene.damage.correlation_length >= 0,
+          "damage.correlation_length", text(scene.damage.correlation_length, "m"),
+          "must be > 0, or 0 for points that are drawn on their own");
+  require(scene.threads >= 0 && scene.threads <= 1024, "solver.threads", std::to_string(scene.threads),
+          "must lie in 1 ... 1024, or 0 for as many as have work and a core");
   require(scene.history_rows >= 10, "output.history_rows", std::to_string(scene.history_rows),
           "must be >= 10");
 }
@@ -160,6 +165,14 @@ void validate(const Scene& scene) {
   validate_handover(scene.handover);
   validate_kinematics(scene);
   validate_solver(scene);
+}
+
+std::int64_t count_points(const Scene& scene) {
+  const auto solid = [&](std::uint8_t label) { return scene.phases[label].has_value(); };
+  std::int64_t points = 0;
+  for (const auto label : scene.labels.reshaped()) points += solid(label) ? 1 : 0;
+  for (const auto& point : scene.extra_points) points += solid(point.phase) ? 1 : 0;
+  return points;
 }
 
 }  // namespace mpm

@@ -116,6 +116,7 @@ struct Damage {
   std::uint64_t seed = 1;  ///< of the strength field
   CrackClosure crack_closure = CrackClosure::off;
   double residual_stiffness = 0;  ///< share of the stiffness that a failed point keeps [-], in [0, 1)
+  double correlation_length = 0;  ///< of the strength field [m]; 0 = every point is drawn on its own
 };
 
 struct Scene {
@@ -134,7 +135,7 @@ struct Scene {
   double local_damping = 0;  ///< share of the unbalanced force that opposes the motion [-], in [0, 1)
   double cfl = 0.5;          ///< time step over cell size by fastest wave speed [-], in (0, 1]
   Precision precision = Precision::double_;
-  int threads = 1;  ///< >= 1; does not change the result
+  int threads = 0;  ///< does not change the result; 0 = as many as have enough to do and a core to do it
   std::string
       instruction_set;  ///< of the sweeps: baseline, avx2, avx512; empty = the fastest that the processor has
   int history_rows = 1000;  ///< rows of the history up to stop_strain, >= 10
@@ -145,5 +146,8 @@ struct Scene {
 
 /// @throws Error naming the first value that is out of range.
 void validate(const Scene& scene);
+
+/// Material points of a valid scene: its pixels and extra points of solid phases.
+[[nodiscard]] std::int64_t count_points(const Scene& scene);
 
 }  // namespace mpm

@@ -19,14 +19,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::int64_t count_points(const Scene& scene) {
-  const auto solid = [&](std::uint8_t label) { return scene.phases[label].has_value(); };
-  std::int64_t points = 0;
-  for (const auto label : scene.labels.reshaped()) points += solid(label) ? 1 : 0;
-  for (const auto& point : scene.extra_points) points += solid(point.phase) ? 1 : 0;
-  return points;
-}
-
 /// Without platens the strain is nominal: what the flight of the specimen would have made of its height.
 double strain_of(const Scene& scene, const Ledger& ledger) {
   const Loading& loading = scene.loading;
@@ -130,6 +122,7 @@ class Run {
       : scene_(scene), plan_(plan), observer_(observer) {
     result_.points = count_points(scene);
     result_.dt = plan.dt;
+    result_.threads = plan.threads;
     result_.instruction_set = chosen_kernels(scene.instruction_set).name;
     result_.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
     HistoryRow rest;

@@ -36,7 +36,9 @@ mpm::Scene scene_of(mpm::Shape shape, mpm::Scheme scheme, mpm::Transfer transfer
   scene.motion.scheme = scheme;
   scene.motion.transfer = transfer;
   scene.loading.velocity = 0.05;
+  // 270 steps at 300 x 300 points, and a row of the history every 10 steps as in the paper's tension test.
   scene.loading.stop_strain = size > 300 ? 1.6e-7 : 1e-5;
+  scene.history_rows = size > 300 ? 10 : 27;
   scene.loading.ramp_time = 1e-5;
   return scene;
 }

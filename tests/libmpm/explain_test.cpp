@@ -28,7 +28,7 @@ mpm::Scene moving(mpm::Scene scene) {
 template <class Real>
 double bytes_of_points(const mpm::Scene& scene) {
   const mpm::Plan plan = mpm::plan(scene);
-  const auto points = mpm::make_points<Real>(scene, plan);
+  const auto points = mpm::make_points<Real>(scene, plan, mpm::StrengthFactors(scene, false));
   const auto size = static_cast<double>(points.stiffness.size());
   const std::size_t reals = points.stiffness.size() + points.shear.size();
   const std::size_t floats = points.tension.size() + points.crush.size() + points.cracked.size();

@@ -35,7 +35,7 @@ struct Sweep {
   explicit Sweep(const Scene& s)
       : scene(s),
         plan(mpm::plan(s)),
-        points(mpm::make_points<Real>(s, plan)),
+        points(mpm::make_points<Real>(s, plan, mpm::StrengthFactors(s, false))),
         grid(mpm::make_grid(s, plan)) {}
 
   /// u(x, y) at every node, x and y in metres.

@@ -9,6 +9,11 @@
 
 namespace {
 
+template <class Real>
+mpm::LatticePoints<Real> points_of(const mpm::Scene& scene, const mpm::Plan& plan) {
+  return mpm::make_points<Real>(scene, plan, mpm::StrengthFactors(scene, false));
+}
+
 TEST(StoredThreshold, IsNeverAboveTheTrueOne) {
   for (const double stress : {1.0, 3.3e6, 15e6 * std::sqrt(2.0), 1e9 / 3})
     EXPECT_LE(static_cast<double>(mpm::stored_threshold(stress, 0.7)), stress * 0.7);
@@ -24,7 +29,7 @@ TEST(LatticePoints, LieWhereTheImageSays) {
   mpm::Scene scene = samples::mortar_block(4, 6);
   scene.labels(3, 0) = samples::aggregate;  // bottom left pixel: cell (0, 0), plane 0
   scene.labels(0, 5) = samples::itz;        // top right pixel: cell row 1, cell 2, plane 3
-  const auto points = mpm::make_points<double>(scene, mpm::plan(scene));
+  const auto points = points_of<double>(scene, mpm::plan(scene));
   EXPECT_EQ(points.stiffness[points.at(0, 0, 0)], 40e9);
   EXPECT_EQ(points.stiffness[points.at(0, 1, 0)], 20e9);
   EXPECT_EQ(points.stiffness[points.at(1, 3, 2)], 12e9);
@@ -34,7 +39,7 @@ TEST(LatticePoints, LieWhereTheImageSays) {
 TEST(LatticePoints, DrawStrengthsFromSeedAndPixelAlone) {
   const mpm::Scene scene = samples::mortar_block(4, 6);
   const mpm::Plan plan = mpm::plan(scene);
-  const auto points = mpm::make_points<double>(scene, plan);
+  const auto points = points_of<double>(scene, plan);
   const mpm::Phase& mortar = *scene.phases[samples::mortar];
   const double factor =
       mpm::strength_factor(mpm::pixel_random(scene.damage.seed, 1, 4), mortar.weibull_modulus);
@@ -47,7 +52,7 @@ TEST(LatticePoints, DrawStrengthsFromSeedAndPixelAlone) {
 TEST(LatticePoints, ShareThePixelWithExtraPoints) {
   mpm::Scene scene = samples::mortar_block(4, 4);
   scene.extra_points = {{0.2e-3, 0.2e-3, samples::itz}};
-  const auto points = mpm::make_points<double>(scene, mpm::plan(scene));
+  const auto points = points_of<double>(scene, mpm::plan(scene));
   EXPECT_EQ(points.stiffness[points.at(0, 0, 0)], 10e9);
   EXPECT_EQ(points.stiffness[points.at(0, 1, 0)], 20e9);
 }
@@ -58,7 +63,7 @@ TEST(LatticePoints, ShareThePixelWithExtraPointsOfAnotherPoissonRatio) {
   scene.phases[samples::itz]->poisson = 0.3;
   scene.extra_points = {{0.2e-3, 0.2e-3, samples::itz}};
   const mpm::Plan plan = mpm::plan(scene);
-  const auto points = mpm::make_points<double>(scene, plan);
+  const auto points = points_of<double>(scene, plan);
   const Eigen::Matrix3d c = mpm::stiffness(*scene.phases[samples::mortar], scene.plane);
   EXPECT_EQ(points.stiffness[points.at(0, 0, 0)], 0.5 * c(0, 1));
   EXPECT_EQ(points.shear[points.at(0, 0, 0)], 0.5 * c(2, 2));
@@ -68,7 +73,7 @@ TEST(LatticePoints, ShareThePixelWithExtraPointsOfAnotherPoissonRatio) {
 
 TEST(LatticePoints, PaddingCarriesNothingAndNeverFails) {
   const mpm::Scene scene = samples::mortar_block(4, 6);
-  const auto points = mpm::make_points<float>(scene, mpm::plan(scene));
+  const auto points = points_of<float>(scene, mpm::plan(scene));
   for (int cell = 3; cell < points.stride; ++cell) {
     EXPECT_EQ(points.stiffness[points.at(0, 0, cell)], 0.0F);
     EXPECT_EQ(points.tension[points.at(0, 0, cell)], mpm::kernels::unreachable);

@@ -1,8 +1,12 @@
 #include "libmpm/plan.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <thread>
 
 #include "libmpm/error.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
@@ -19,6 +23,17 @@ TEST(Plan, TimeStepAndStepsOfThePapersTensionTest) {
   EXPECT_NEAR(plan.dt, 0.5 * 1e-3 / std::sqrt(40e9 * 0.8 / (1.2 * 0.6) / 2400), 1e-20);
   EXPECT_EQ(plan.steps, 10328);  // 4e-4 x 0.15 m / 0.05 m/s / dt = 10,327.9
   EXPECT_EQ(plan.steps_per_row, 10);
+}
+
+TEST(Plan, TakesTheThreadsThatHaveEnoughToDo) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  mpm::Scene scene = samples::mortar_block(120, 120);
+  EXPECT_EQ(mpm::plan(scene).threads, 1);
+  scene.kinematics = mpm::Kinematics::moving;
+  EXPECT_GE(mpm::plan(scene).threads, 1);
+  EXPECT_LE(mpm::plan(scene).threads, std::min(cores, 5)) << "other programs may be busy";
+  scene.threads = 7;
+  EXPECT_EQ(mpm::plan(scene).threads, 7);
 }
 
 // However long the ramp, the run ends at the strain that was asked for.
@@ -100,6 +115,45 @@ TEST(Ramp, IsSmoothAndCoversHalfTheWay) {
   EXPECT_NEAR(mpm::ramp(plan, 1e-4), 0, 1e-7);
   plan.ramp_time = 0;
   EXPECT_EQ(mpm::ramp(plan, 0), 1);
+}
+
+std::string message_of(const mpm::Scene& scene) {
+  try {
+    (void)mpm::plan(scene);
+    return "planned";
+  } catch (const mpm::Error& error) {
+    return error.what();
+  }
+}
+
+mpm::Scene softening_block(double pixel_size) {
+  mpm::Scene scene = samples::mortar_block(20, 20, pixel_size);
+  scene.phases[samples::mortar]->fracture_energy = 60;
+  scene.phases[samples::mortar]->weibull_modulus = 1e9;
+  return scene;
+}
+
+TEST(Plan, RefusesAPixelInWhichACrackWouldSnapBack) {
+  // 2 E' G_f / f_t^2 = 2 x 20.8 GPa x 60 J/m2 / (15 MPa)^2 = 11.1 mm for a cell of two pixels.
+  EXPECT_EQ(message_of(softening_block(5.5e-3)), "planned");
+  EXPECT_EQ(
+      message_of(softening_block(6e-3)),
+      "phases.mortar.fracture_energy: 60 J/m2; is less than the elastic energy of a crack band of 12 mm at "
+      "the strongest point, 15 MPa; use pixels of 5.55 mm at most, a larger weibull_modulus or a larger "
+      "fracture_energy");
+  mpm::Scene scattered = softening_block(1e-3);
+  scattered.phases[samples::mortar]->weibull_modulus = 1.5;
+  EXPECT_THAT(message_of(scattered), testing::HasSubstr("at the strongest point, "));
+}
+
+TEST(Plan, KnowsOverHowManyCellsACrackIsSmeared) {
+  mpm::Scene scene = softening_block(1e-3);
+  scene.kinematics = mpm::Kinematics::moving;
+  EXPECT_EQ(mpm::plan(scene).moving.crack_band, 2e-3);
+  scene.motion.shape = mpm::Shape::bspline;
+  EXPECT_GT(mpm::plan(scene).moving.crack_band, 3e-3);
+  scene.kinematics = mpm::Kinematics::automatic;
+  EXPECT_THAT(message_of(scene), testing::StartsWith("motion.shape: bspline; smears a crack over two cells"));
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ void expect_same(const mpm::Result& read, const mpm::Result& written) {
   expect_same(read.wall_time, written.wall_time);
   expect_same(read.energy_error, written.energy_error);
   EXPECT_EQ(read.instruction_set, written.instruction_set);
+  EXPECT_EQ(read.threads, written.threads);
   EXPECT_EQ(read.stop, written.stop);
 }
 

@@ -44,6 +44,7 @@ inline mpm::Result odd_result() {
   result.wall_time = 12.5;
   result.energy_error = 1e-3 / 7;
   result.instruction_set = "avx512";
+  result.threads = 3;
   result.stop = mpm::StopReason::drop;
   return result;
 }

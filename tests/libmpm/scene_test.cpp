@@ -42,7 +42,8 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
             "solver.points_per_cell: 5; must be 1, 2, 3 or 4");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.stop_drop = 1.5; }),
             "loading.stop_drop: 1.5; must lie in (0, 1)");
-  EXPECT_EQ(message_after([](Scene& s) { s.threads = 0; }), "solver.threads: 0; must lie in 1 ... 1024");
+  EXPECT_EQ(message_after([](Scene& s) { s.threads = -1; }),
+            "solver.threads: -1; must lie in 1 ... 1024, or 0 for as many as have work and a core");
   EXPECT_EQ(message_after([](Scene& s) {
               s.extra_points.push_back({1, 0, 3});
             }),
@@ -133,8 +134,20 @@ TEST(Validate, RefusesWhatPlatensWouldIgnore) {
             "motion.top: smooth_wall; there is a platen; choose loading.direction none");
 }
 
+TEST(Validate, PlatensThatPullMustHoldTheSpecimen) {
+  EXPECT_EQ(message_after([](Scene& s) {
+              s.kinematics = mpm::Kinematics::moving;
+              s.loading.separation = true;
+            }),
+            "loading.separation: true; platens that pull must hold the specimen; choose loading.direction "
+            "compression");
+}
+
 TEST(Validate, RefusesWhatSmallStrainWouldIgnore) {
-  const auto parting = [](Scene& s) { s.loading.separation = true; };
+  const auto parting = [](Scene& s) {
+    s.loading.direction = mpm::Direction::compression;
+    s.loading.separation = true;
+  };
   EXPECT_EQ(message_after(parting),
             "loading.separation: true; is for moving points; choose solver.kinematics moving or auto");
   EXPECT_EQ(message_after([&](Scene& s) {

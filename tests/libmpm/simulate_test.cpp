@@ -241,6 +241,23 @@ TEST(Threads, GiveTheSameBits) {
   }
 }
 
+// The history as well, however the rows are shared out while points fail and fly.
+TEST(Threads, GiveTheSameBitsWhenPointsMove) {
+  Scene scene = samples::small_concrete();
+  scene.kinematics = mpm::Kinematics::moving;
+  scene.loading.direction = Direction::compression;
+  scene.loading.velocity = 5;
+  scene.loading.stop_strain = 0.02;
+  scene.motion.left = scene.motion.right = mpm::Edge::open;
+  scene.threads = 1;
+  const Result one = mpm::simulate(scene);
+  EXPECT_GT(one.history.back().released, 0);
+  for (const int threads : {2, 3, 5}) {
+    scene.threads = threads;
+    EXPECT_TRUE(same_bits(one, mpm::simulate(scene))) << threads << " threads";
+  }
+}
+
 TEST(InstructionSets, AgreeToRounding) {
   Scene scene = samples::pulled(samples::unbreakable(samples::small_concrete()));
   const Result fastest = mpm::simulate(scene);
