@@ -1,0 +1,65 @@
+#include "apps/reproduce/campaign.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "apps/reproduce/job_pool.hpp"
+
+namespace app::reproduce {
+namespace {
+
+/// Run what is expected and not yet done.
+void run_open(Outcomes& outcomes, int workers, const CampaignWatch& watch) {
+  std::vector<std::function<void()>> jobs;
+  for (Outcomes::Entry& entry : outcomes.entries())
+    if (!entry.outcome.done)
+      jobs.emplace_back([&entry, &watch] { entry.outcome = run_trial(entry.trial, watch.go_on); });
+  const std::size_t before = outcomes.entries().size() - jobs.size(), all = outcomes.entries().size();
+  run_jobs(jobs, workers, {[&](std::size_t done) { watch.run_done(before + done, all); }, watch.go_on});
+}
+
+bool all_done(const std::vector<Trial>& trials, const Outcomes& outcomes) {
+  return std::all_of(trials.begin(), trials.end(), [&](const Trial& trial) { return outcomes.has(trial); });
+}
+
+/// Trials of the second round, for a figure whose first round is done.
+std::vector<Trial> more_trials(const Figure& figure, const Study& study, const Outcomes& outcomes) {
+  if (!figure.more_trials || !all_done(figure.trials(study), outcomes)) return {};
+  return figure.more_trials(study, outcomes);
+}
+
+FigureResult result_of(const Figure& figure, const Study& study, const Outcomes& outcomes) {
+  FigureResult result{&figure, false, {}};
+  result.done =
+      all_done(figure.trials(study), outcomes) && all_done(more_trials(figure, study, outcomes), outcomes);
+  if (result.done) result.section = figure.evaluate(study, outcomes);
+  return result;
+}
+
+}  // namespace
+
+Reproduction reproduce_figures(const std::vector<const Figure*>& figures, const Study& study, int workers,
+                               const CampaignWatch& watch) {
+  const auto start = std::chrono::steady_clock::now();
+  Reproduction reproduction{{}, {}, study, workers, 0, false};
+  Outcomes& outcomes = reproduction.outcomes;
+  for (const Figure* figure : figures)
+    for (const Trial& trial : figure->trials(study)) outcomes.expect(trial);
+  run_open(outcomes, workers, watch);
+  for (const Figure* figure : figures)
+    for (const Trial& trial : more_trials(*figure, study, outcomes)) outcomes.expect(trial);
+  run_open(outcomes, workers, watch);
+  for (const Figure* figure : figures) reproduction.figures.push_back(result_of(*figure, study, outcomes));
+  reproduction.interrupted = !watch.go_on();
+  reproduction.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return reproduction;
+}
+
+std::vector<Claim> claims_of(const Reproduction& reproduction) {
+  std::vector<Claim> claims;
+  for (const FigureResult& figure : reproduction.figures)
+    claims.insert(claims.end(), figure.section.claims.begin(), figure.section.claims.end());
+  return claims;
+}
+
+}  // namespace app::reproduce

@@ -1,0 +1,11 @@
+# The scenes of data/paper become part of the program, so that it can reproduce the paper wherever it is installed.
+file(GLOB scene_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/data/paper/*.toml)
+list(SORT scene_files)
+set(paper_scenes "")
+foreach(file ${scene_files})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} text)
+  string(APPEND paper_scenes "      {\"${name}\", R\"toml(${text})toml\"},\n")
+endforeach()
+configure_file(${CMAKE_CURRENT_SOURCE_DIR}/reproduce/paper_scene.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/paper_scene.cpp @ONLY)

@@ -1,0 +1,164 @@
+#include "apps/reproduce/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "apps/output/report_parts.hpp"
+#include "apps/output/run_words.hpp"
+#include "apps/output/text.hpp"
+#include "apps/reproduce/curve.hpp"
+#include "apps/reproduce/words.hpp"
+
+namespace app::reproduce {
+namespace {
+
+constexpr double dropped = 0.5;    ///< share of the peak
+constexpr double itz_share = 0.6;  ///< strength of the ITZ over that of the mortar, Table 1
+
+int repeats_of(const Case& test, const Study& study) {
+  return test.repeats > 0 ? test.repeats : study.repeats;
+}
+
+Trial trial_of(const Sweep& sweep, const Case& test, const Study& study, double value, int seed) {
+  std::vector<Setting> settings = test.settings;
+  if (value != sweep.table1)  // else it is the scene as it stands, which other figures run too
+    for (const Setting& setting : sweep.settings(value)) settings.push_back(setting);
+  return square_trial(study, test.scene, seed, settings);
+}
+
+double shear_share(const mpm::Result& result) {
+  const auto all = static_cast<double>(result.tension_failures + result.shear_failures);
+  return static_cast<double>(result.shear_failures) / all;
+}
+
+CaseResult result_of(const Sweep& sweep, const Case& test, const Study& study, const Outcomes& outcomes) {
+  CaseResult result{test.name, repeats_of(test, study), sweep.values, {}, {}, {}, {}, {}};
+  for (const double value : sweep.values) {
+    std::vector<double> stresses, strains, drops, shears;
+    for (int seed = 1; seed <= result.specimens; ++seed) {
+      const mpm::Result& run = outcomes.of(trial_of(sweep, test, study, value, seed)).result;
+      stresses.push_back(run.peak_stress);
+      strains.push_back(run.peak_strain);
+      drops.push_back(drop_ratio(run, dropped));
+      shears.push_back(shear_share(run));
+      if (seed == 1) result.first.push_back(&run);
+    }
+    result.peak_stress.push_back(spread_of(stresses));
+    result.peak_strain.push_back(spread_of(strains));
+    result.drop.push_back(spread_of(drops).mean);
+    result.shear_share.push_back(spread_of(shears).mean);
+  }
+  return result;
+}
+
+std::string value_text(const Sweep& sweep, double value) {
+  return sweep.symbol + " = " + output::trimmed(value) + (sweep.unit.empty() ? "" : " " + sweep.unit);
+}
+
+output::Chart chart_of(const Sweep& sweep, const CaseResult& result) {
+  output::Chart chart{"Curves in " + result.name, {"Strain", "microstrain"}, {"Stress", "MPa"}, {}, {}};
+  constexpr std::array inks{output::Ink::first, output::Ink::second, output::Ink::third, output::Ink::fourth,
+                            output::Ink::fifth};
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    Curve curve = stress_curve(*result.first[i]);
+    for (double& strain : curve.x) strain *= 1e6;
+    for (double& stress : curve.y) stress *= 1e-6;
+    chart.series.push_back({value_text(sweep, result.values[i]), std::move(curve.x), std::move(curve.y),
+                            inks[i % inks.size()], false});
+  }
+  return chart;
+}
+
+std::string table_of(const Sweep& sweep, const CaseResult& result) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    rows.push_back({value_text(sweep, result.values[i]), output::rounded(1e-6 * result.peak_stress[i].mean),
+                    output::rounded(1e6 * result.peak_strain[i].mean), output::rounded(result.drop[i]),
+                    output::percent(result.shear_share[i])});
+  return output::number_table({"", "Peak MPa", "at 10⁻⁶", "Drop", "Shear"}, rows);
+}
+
+std::string case_html(const Sweep& sweep, const CaseResult& result) {
+  return "<h3>" + output::capitalised(result.name) + "</h3>\n" +
+         output::chart_figure(chart_of(sweep, result), 480, 350,
+                              "Curves of the first specimen; below, the mean of " +
+                                  counted(result.specimens, "specimen") + ".") +
+         table_of(sweep, result);
+}
+
+}  // namespace
+
+std::vector<double> CaseResult::mean_stress() const {
+  std::vector<double> means;
+  for (const Spread& spread : peak_stress) means.push_back(spread.mean);
+  return means;
+}
+
+std::vector<Trial> trials_of(const Sweep& sweep, const Study& study) {
+  std::vector<Trial> trials;
+  for (const Case& test : sweep.cases)
+    for (const double value : sweep.values)
+      for (int seed = 1; seed <= repeats_of(test, study); ++seed)
+        trials.push_back(trial_of(sweep, test, study, value, seed));
+  return trials;
+}
+
+std::vector<CaseResult> results_of(const Sweep& sweep, const Study& study, const Outcomes& outcomes) {
+  std::vector<CaseResult> results;
+  for (const Case& test : sweep.cases) results.push_back(result_of(sweep, test, study, outcomes));
+  return results;
+}
+
+std::string sweep_html(const Sweep& sweep, const std::vector<CaseResult>& results) {
+  std::string html;
+  for (std::size_t i = 0; i < results.size(); i += 2)
+    html += i + 1 < results.size()
+                ? output::side_by_side("even", case_html(sweep, results[i]), case_html(sweep, results[i + 1]))
+                : case_html(sweep, results[i]);
+  return html + "<div class=\"remarks\">\n" +
+         output::paragraph(
+             "Drop: strain at which the stress has fallen to half its peak, over the strain at the peak; "
+             "the nearer to 1, the more brittle. Shear: share of all failures up to the end of the run.") +
+         "</div>\n";
+}
+
+nlohmann::json sweep_json(const std::vector<CaseResult>& results) {
+  nlohmann::json json;
+  for (const CaseResult& result : results) {
+    nlohmann::json& one = json[result.name];
+    one = {{"values", result.values},
+           {"specimens", result.specimens},
+           {"drop", result.drop},
+           {"shear_share", result.shear_share}};
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
+      one["peak_stress_Pa"].push_back(json_of(result.peak_stress[i]));
+      one["peak_strain"].push_back(json_of(result.peak_strain[i]));
+    }
+  }
+  return json;
+}
+
+std::string ends_text(const Sweep& sweep, const std::vector<CaseResult>& results) {
+  std::string text;
+  for (const CaseResult& result : results)
+    text += (text.empty() ? "" : ", ") + result.name + " " +
+            output::rounded(1e-6 * result.peak_stress.front().mean) + " to " +
+            megapascals(result.peak_stress.back().mean);
+  return text + " for " + value_text(sweep, sweep.values.front()) + " to " +
+         output::trimmed(sweep.values.back()) + (sweep.unit.empty() ? "" : " " + sweep.unit);
+}
+
+std::string names_where(const std::vector<CaseResult>& results, const std::vector<bool>& holds, bool wanted) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (holds[i] == wanted) names.push_back(results[i].name);
+  return names.empty() ? "none" : output::listed(names);
+}
+
+std::vector<Setting> strength_settings(const std::string& property, double mortar_megapascals) {
+  return {{"phases.mortar." + property, fmt::format("{:g} MPa", mortar_megapascals)},
+          {"phases.itz." + property, fmt::format("{:g} MPa", itz_share * mortar_megapascals)}};
+}
+
+}  // namespace app::reproduce

@@ -1,0 +1,92 @@
+#include "apps/reproduce/trial.hpp"
+
+#include "apps/complaint.hpp"
+#include "apps/reproduce/paper_scene.hpp"
+#include "apps/scene_builder.hpp"
+#include "apps/scene_file.hpp"
+#include "apps/specimen_source.hpp"
+#include "libmpm/simulate.hpp"
+
+namespace app::reproduce {
+namespace {
+
+/// The settings of a trial without those that a later one overrides.
+std::vector<Setting> lasting(const std::vector<Setting>& settings) {
+  std::vector<Setting> lasting;
+  for (const Setting& setting : settings) {
+    const auto same = [&](const Setting& other) { return other.first == setting.first; };
+    std::erase_if(lasting, same);
+    lasting.push_back(setting);
+  }
+  return lasting;
+}
+
+void drop_maps(Outcome& outcome) {
+  outcome.specimen = {};
+  outcome.result.failure_strain.resize(0, 0);
+  outcome.result.failure_mode.resize(0, 0);
+  outcome.result.crush_strain.resize(0, 0);
+  outcome.result.extra_failure_strain = {};
+  outcome.result.extra_failure_mode = {};
+}
+
+}  // namespace
+
+std::string name_of(const Trial& trial) {
+  std::string name = trial.scene;
+  for (const auto& [key, value] : lasting(trial.settings))
+    name.append(" ").append(key).append("=").append(value);
+  return name;
+}
+
+std::string command_of(const Trial& trial) {
+  std::string command = "mesopix simulate " + path_of_scene(trial.scene);
+  for (const auto& [key, value] : lasting(trial.settings)) {
+    const bool spaced = value.find(' ') != std::string::npos;
+    command.append(" --set ").append(spaced ? "\"" : "").append(key).append("=").append(value);
+    if (spaced) command += '"';
+  }
+  return command;
+}
+
+Settings settings_of(const Trial& trial) {
+  std::vector<Assignment> given;
+  for (const auto& [key, value] : lasting(trial.settings)) {
+    const auto field = find_field(key);
+    if (!field) throw Rejected(Exit::internal, complaint(key, "unknown key", "", "in " + name_of(trial)));
+    given.push_back(given_as_option(key, field->kind, "--set " + key, value));
+  }
+  return resolve(parse_scene(paper_scene(trial.scene).text, path_of_scene(trial.scene)), given).settings;
+}
+
+Outcome run_trial(const Trial& trial, const std::function<bool()>& go_on) {
+  const Settings settings = settings_of(trial);
+  Outcome outcome;
+  outcome.specimen = prepare_specimen(settings).specimen;
+  static_cast<void>(crop_to_cells(outcome.specimen, settings.scene.points_per_cell));
+  mpm::Scene scene = build_scene(outcome.specimen, settings);
+  scene.threads = 1;  // other trials have the other cores
+  try {
+    outcome.result = mpm::simulate(scene, [&](const mpm::Progress&) { return go_on(); });
+  } catch (const mpm::Diverged& diverged) {
+    throw Rejected(Exit::data, complaint("reproduce", diverged.what(), "in " + command_of(trial)));
+  }
+  outcome.done = outcome.result.stop != mpm::StopReason::interrupted;
+  if (!trial.keep_maps) drop_maps(outcome);
+  return outcome;
+}
+
+void Outcomes::expect(const Trial& trial) {
+  const auto [place, is_new] = index_.try_emplace(name_of(trial), entries_.size());
+  if (is_new)
+    entries_.push_back({trial, {}});
+  else if (trial.keep_maps && !entries_[place->second].trial.keep_maps)
+    entries_[place->second] = {trial, {}};
+}
+
+bool Outcomes::has(const Trial& trial) const {
+  const auto place = index_.find(name_of(trial));
+  return place != index_.end() && entries_[place->second].outcome.done;
+}
+
+}  // namespace app::reproduce
