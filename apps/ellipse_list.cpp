@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 
+#include "apps/csv_cells.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/text_file.hpp"
 
@@ -18,25 +19,6 @@ struct Column {
   EllipseColumn meaning;
   std::string unit;
 };
-
-struct Cell {
-  std::string text;
-  int column = 1;  ///< where it begins in its line
-};
-
-std::vector<Cell> cells_of(const std::string& line) {
-  std::vector<Cell> cells;
-  std::size_t from = 0;
-  while (from <= line.size()) {
-    const std::size_t comma = std::min(line.find(',', from), line.size());
-    const std::size_t first = std::min(line.find_first_not_of(" \t", from), comma);
-    std::size_t last = comma;
-    while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t')) --last;
-    cells.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
-    from = comma + 1;
-  }
-  return cells;
-}
 
 class Reader {
  public:
@@ -72,7 +54,7 @@ class Reader {
   }
 
   void read_header(const std::string& line) {
-    for (const Cell& cell : cells_of(line))
+    for (const CsvCell& cell : csv_cells(line))
       if (const auto column = column_of(cell)) columns_.push_back(*column);
     for (const EllipseColumn& wanted : ellipse_columns)
       if (wanted.required && !has(wanted.name) && complaints_.empty())
@@ -85,7 +67,7 @@ class Reader {
     return false;
   }
 
-  std::optional<Column> column_of(const Cell& cell) {
+  std::optional<Column> column_of(const CsvCell& cell) {
     const std::size_t bar = cell.text.find('_');
     const std::string name = cell.text.substr(0, bar);
     const std::string unit = bar == std::string::npos ? "" : cell.text.substr(bar + 1);
@@ -101,7 +83,7 @@ class Reader {
   }
 
   void read_row(const std::string& line) {
-    const std::vector<Cell> cells = cells_of(line);
+    const std::vector<CsvCell> cells = csv_cells(line);
     if (cells.size() != columns_.size()) {
       complain(1, "row", fmt::format("{} cells", cells.size()),
                fmt::format("the header has {}", columns_.size()));
@@ -119,7 +101,7 @@ class Reader {
     }
   }
 
-  void read_cell(const Cell& cell, const Column& column, specimen::Ellipse& ellipse) {
+  void read_cell(const CsvCell& cell, const Column& column, specimen::Ellipse& ellipse) {
     try {
       ellipse.*column.meaning.member =
           parse_quantity(cell.text + " " + column.unit, column.meaning.dimension);

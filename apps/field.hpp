@@ -2,13 +2,21 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "apps/codec.hpp"
 #include "apps/value.hpp"
 
 namespace app {
+
+/// What a setting that is a number measures, and how large it may be.
+struct Measure {
+  Dimension dimension = Dimension::ratio;
+  Bounds bounds;
+};
 
 /// A setting held in an object of type T (Settings, or mpm::Phase for the properties of every phase).
 template <class T>
@@ -19,7 +27,16 @@ struct FieldOf {
   std::string type;                           ///< as the help shows it: "VELOCITY", "smooth|rough"
   std::function<void(T&, const Value&)> set;  ///< throws Mistake
   std::function<Value(const T&)> get;
+  std::optional<Measure> measure;  ///< of a quantity; none of whole numbers and all others
 };
+
+template <class Codec>
+std::optional<Measure> measure_of(const Codec& codec) {
+  if constexpr (std::is_same_v<Codec, Quantity>)
+    return Measure{codec.dimension, codec.bounds};
+  else
+    return std::nullopt;
+}
 
 /// @param access  generic lambda that gives the member of a T, const or not.
 template <class T, class Codec, class Access>
@@ -29,7 +46,8 @@ FieldOf<T> make_field(std::string key, std::string help, Codec codec, Access acc
           codec.kind(),
           codec.type(),
           [codec, access](T& object, const Value& value) { access(object) = codec.read(value); },
-          [codec, access](const T& object) { return codec.write(access(object)); }};
+          [codec, access](const T& object) { return codec.write(access(object)); },
+          measure_of(codec)};
 }
 
 }  // namespace app

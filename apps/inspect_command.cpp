@@ -51,6 +51,7 @@ Json result_json(const mpm::Result& result) {
           {"point_updates_per_second", result.point_updates_per_second()},
           {"energy_error", result.energy_error},
           {"instruction_set", result.instruction_set},
+          {"threads", result.threads},
           {"history_rows", result.history.size()}};
 }
 

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <new>
 
+#include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
 #include "apps/generate_command.hpp"
 #include "apps/inspect_command.hpp"
+#include "apps/reproduce_command.hpp"
 #include "apps/simulate_command.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/version.hpp"
@@ -66,7 +68,9 @@ class Program {
   }
 
  private:
-  std::array<Command*, 4> commands() { return {&generate_, &convert_, &simulate_, &inspect_}; }
+  std::array<Command*, 6> commands() {
+    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &reproduce_};
+  }
 
   Command* find(const std::string& name) {
     for (Command* command : commands())
@@ -89,7 +93,9 @@ class Program {
   GenerateCommand generate_{root_};
   ConvertCommand convert_{root_};
   SimulateCommand simulate_{root_};
+  CalibrateCommand calibrate_{root_};
   InspectCommand inspect_{root_};
+  ReproduceCommand reproduce_{root_};
 };
 
 Exit refuse(Console& console, Exit code, const std::vector<Complaint>& complaints) {

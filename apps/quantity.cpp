@@ -63,6 +63,10 @@ constexpr std::array units{
     Unit{Dimension::time, "ms", -3, true},
     Unit{Dimension::time, "us", -6, true},
     Unit{Dimension::time, "µs", -6, false},
+    Unit{Dimension::energy, "J/m2", 0, true},
+    Unit{Dimension::energy, "J/m^2", 0, false},
+    Unit{Dimension::energy, "N/m", 0, false},
+    Unit{Dimension::energy, "N/mm", 3, false},
 };
 
 std::vector<std::string> unit_names(Dimension dimension) {
@@ -188,6 +192,8 @@ std::string name(Dimension dimension) {
       return "density";
     case Dimension::time:
       return "time";
+    case Dimension::energy:
+      return "energy of an area";
   }
   return {};
 }
@@ -210,6 +216,8 @@ std::string example(Dimension dimension) {
       return "2400 kg/m3";
     case Dimension::time:
       return "0.1 ms";
+    case Dimension::energy:
+      return "60 J/m2";
   }
   return {};
 }

@@ -6,8 +6,9 @@
 
 namespace app {
 
-/// What a number measures. Everything inside the program is in SI units (angles in rad).
-enum class Dimension { ratio, length, area, pressure, angle, velocity, density, time };
+/// What a number measures; energy is that of an area, as of a crack. Everything inside the program is in SI
+/// units (angles in rad).
+enum class Dimension { ratio, length, area, pressure, angle, velocity, density, time, energy };
 
 [[nodiscard]] std::string name(Dimension dimension);     ///< "length"
 [[nodiscard]] std::string example(Dimension dimension);  ///< "0.5 mm"

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 namespace app {
 
@@ -10,5 +12,21 @@ namespace app {
 /// cannot be made.
 [[nodiscard]] std::filesystem::path make_run_folder(const std::filesystem::path& wanted,
                                                     const std::filesystem::path& stem, bool overwrite);
+
+/// The folder that was made for a run disappears again when the run could not begin.
+class FreshFolder {
+ public:
+  explicit FreshFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  ~FreshFolder() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);  // fails, as it should, once something is in it
+  }
+  FreshFolder(const FreshFolder&) = delete;
+  FreshFolder& operator=(const FreshFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace app

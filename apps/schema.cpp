@@ -17,7 +17,8 @@ Field bind(const PhaseField& property, const std::string& phase) {
           [get = property.get, phase](const Settings& settings) {
             Settings copy = settings;  // a phase not yet there has its defaults
             return get(phase_named(copy, phase));
-          }};
+          },
+          property.measure};
 }
 
 std::vector<std::string> keys_of_group(const std::string& group) {

@@ -189,6 +189,9 @@ std::vector<Field> damage_fields() {
             MEMBER(scene.damage.crack_closure)),
       field("damage.residual_stiffness", ratio(below(0, 1)),
             "share of the stiffness that a failed point keeps", MEMBER(scene.damage.residual_stiffness)),
+      field("damage.correlation_length", Quantity{Dimension::length, above(0), Word{"none", 0}},
+            "of the random strengths, the same field for any pixel size; none = every point on its own",
+            MEMBER(scene.damage.correlation_length)),
   };
 }
 
@@ -218,7 +221,8 @@ std::vector<Field> solver_fields() {
             MEMBER(scene.precision)),
       field("solver.instruction_set", instruction_set,
             "of the sweeps; auto = the fastest that the processor has", MEMBER(scene.instruction_set)),
-      field("solver.threads", Integer<>{{between(1, 1024), {}}}, "does not change the result",
+      field("solver.threads", Integer<>{{between(1, 1024), Word{"auto", 0}}},
+            "does not change the result; auto = as many as have work and an idle core",
             MEMBER(scene.threads)),
   };
 }
@@ -295,6 +299,8 @@ std::vector<PhaseField> properties() {
       property("friction_angle", angle, "Mohr-Coulomb friction angle", MEMBER(friction_angle)),
       property("weibull_modulus", ratio(above(0)), "scatter of the strengths: small = much",
                MEMBER(weibull_modulus)),
+      property("fracture_energy", Quantity{Dimension::energy, above(0), Word{"brittle", 0}},
+               "of a crack, spent as it opens; brittle = points crack at one blow", MEMBER(fracture_energy)),
   };
 }
 

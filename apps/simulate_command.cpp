@@ -132,22 +132,6 @@ void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   }
 }
 
-/// The folder that was made for a run disappears again when the run could not begin.
-class FreshFolder {
- public:
-  explicit FreshFolder(fs::path path) : path_(std::move(path)) {}
-  ~FreshFolder() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);  // fails, as it should, once something is in it
-  }
-  FreshFolder(const FreshFolder&) = delete;
-  FreshFolder& operator=(const FreshFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 /// @throws Rejected when the physics went wrong.
 Exit exit_of(const Outcome& outcome, const fs::path& folder, Console& console) {
   if (!outcome.divergence.empty())

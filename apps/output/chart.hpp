@@ -16,7 +16,7 @@ struct Axis {
 
 /// A line through points; points that are not finite leave a gap.
 struct Series {
-  std::string name;
+  std::string name;       ///< in the legend; empty = not there
   std::vector<double> x;  ///< in the unit of the axis, rising
   std::vector<double> y;  ///< same length
   Ink ink = Ink::first;

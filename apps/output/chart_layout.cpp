@@ -73,6 +73,7 @@ std::vector<LegendEntry> legend_of(const std::vector<Series>& series, double wid
   if (series.size() < 2) return entries;
   Place at{edge, first_base_line};
   for (const Series& line : series) {
+    if (line.name.empty()) continue;
     const double entry_width = sample_length + 6 + text_width(line.name);
     if (at.x > edge && at.x + entry_width > width) at = {edge, at.y + line_height};
     entries.push_back({&line, at});

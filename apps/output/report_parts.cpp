@@ -9,6 +9,7 @@
 #include "apps/output/html.hpp"
 #include "apps/output/picture_scale.hpp"
 #include "apps/output/png.hpp"
+#include "apps/output/report_style.hpp"
 
 namespace output {
 namespace {
@@ -16,7 +17,24 @@ namespace {
 constexpr int shown_pixels = 360;     ///< a picture's largest width on the page
 constexpr int embedded_pixels = 900;  ///< a picture's largest side in the file
 
+/// The page asks for nothing outside itself and runs nothing.
+constexpr const char* policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+
+std::string head(const std::string& title) {
+  return fmt::format(
+      "<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n",
+      policy, escape(title), report_style());
+}
+
 }  // namespace
+
+std::string page(const std::string& title, const std::string& html) {
+  return "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n" + head(title) +
+         "<body>\n<main>\n" + html + "</main>\n</body>\n</html>\n";
+}
 
 std::string section(const std::string& heading, const std::string& html) {
   return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", escape(heading), html);

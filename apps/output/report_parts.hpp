@@ -16,6 +16,9 @@ struct Fact {
   std::string unit = {};  ///< empty: the value is text
 };
 
+/// A whole page that needs no network and no script.
+[[nodiscard]] std::string page(const std::string& title, const std::string& html);
+
 [[nodiscard]] std::string section(const std::string& heading, const std::string& html);
 [[nodiscard]] std::string paragraph(const std::string& text);
 

@@ -152,7 +152,7 @@ std::vector<Fact> solution_facts(const RunRecord& record) {
           {"Speed", rounded(1e-6 * result.point_updates_per_second()), "million points/s"},
           {"Largest energy imbalance", rounded(100 * result.energy_error, 2),
            has_platens(record.scene) ? "% of the work" : "% of the start"},
-          {"Threads", grouped(record.scene.threads), record.scene.threads == 1 ? "thread" : "threads"}};
+          {"Threads", grouped(result.threads), result.threads == 1 ? "thread" : "threads"}};
 }
 
 std::vector<Fact> provenance_facts(const RunRecord& record) {

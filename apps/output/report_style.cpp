@@ -47,7 +47,14 @@ thead th { color: var(--muted); font-size: 14px; }
 .facts .words th { white-space: nowrap; }
 .facts .words td { white-space: normal; text-align: left; overflow-wrap: anywhere; font-weight: 400; }
 .scroll { overflow-x: auto; }
-.pair + .scroll { margin-top: 28px; }
+.claims th, .claims td { text-align: left; vertical-align: top; padding: 8px 20px 8px 0; }
+.claims td { min-width: 11em; }
+.claims .why { color: var(--muted); }
+.claims .verdict { min-width: 0; padding-right: 0; font-weight: 600; white-space: nowrap; }
+.verdict.agrees { color: var(--third); }
+.verdict.disagrees { color: var(--second); }
+.verdict.depends { color: var(--first); }
+.pair + .scroll, .pair + .pair, .pair + p, .chart + .scroll, .pictures + h3, .remarks + .legend { margin-top: 28px; }
 .legend.below { margin: 10px 0 0; }
 img { display: block; max-width: 100%; height: auto; border: 1px solid var(--rule); background: #fff; }
 img.pixels { image-rendering: pixelated; }

@@ -70,8 +70,7 @@ json setting_of(const mpm::Scene& scene) {
           {"plane", output::word_of(scene.plane)},
           {"seed", scene.damage.seed},
           {"crack_closure", output::word_of(scene.damage.crack_closure)},
-          {"precision", output::word_of(scene.precision)},
-          {"threads", scene.threads}};
+          {"precision", output::word_of(scene.precision)}};
 }
 
 json figures_of(const mpm::Result& result) {
@@ -93,6 +92,7 @@ json figures_of(const mpm::Result& result) {
           {"point_updates_per_s", result.point_updates_per_second()},
           {"energy_error", result.energy_error},
           {"instruction_set", result.instruction_set},
+          {"threads", result.threads},
           {"stop_reason", output::word_of(result.stop)}};
 }
 

@@ -87,6 +87,31 @@ same back.png again.png
 same labels.png back.png
 has out '"mortar": 1.0'
 
+# A calibration meets its target, and its scene runs as it is; Ctrl-C keeps the best so far.
+expect 0 calibrate scene.toml --peak-stress "1.5 MPa" --peak-strain "70 microstrain" -o fitted --json
+has out '"met": true'
+grep -q $'\r' err && fail "a progress line where there is no terminal"
+for file in calibration.json scene.toml report.html; do exists "fitted/$file"; done
+expect 0 simulate fitted/scene.toml -o fitted_run --json
+python3 - <<'CHECK' || fail "the fitted scene does not give the peak that was fitted"
+import json
+fitted = json.load(open("fitted/calibration.json"))["fitted"]["runs"][0]
+run = json.load(open("out"))
+assert (fitted["peak_stress_Pa"], fitted["peak_strain"]) == (run["peak_stress_Pa"], run["peak_strain"])
+CHECK
+python3 -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse("fitted/report.html")' || fail "the report is not well formed"
+expect 65 calibrate scene.toml --peak-stress "0.1 MPa" --free "tensile_scale=6 MPa..20 MPa" -o unreached
+has err "phases.mortar.tensile_scale at its lower bound of 6 MPa; what was found is in unreached"
+exists unreached/report.html
+"$mesopix" calibrate "$data/two_aggregates.toml" --peak-stress "1.75 MPa" --seeds 1000 -o kept 2>err &
+process=$!
+sleep 2  # of minutes
+kill -INT "$process"
+wait "$process"
+code=$?
+[ "$code" -eq 75 ] || fail "a calibration interrupted with exit code $code, not 75: $(cat err)"
+[ ! -d kept ] || exists kept/calibration.json
+
 # What is refused, and how.
 expect 64 simulate specimen.h5 -o first
 has err "mesopix: -o: first; is not empty; choose another folder, or add --overwrite"
@@ -134,6 +159,24 @@ expect 0 simulate flight/scene.toml -o flight_again -q
 same flight/curve.csv flight_again/curve.csv
 same flight/deformed.png flight_again/deformed.png
 same flight/scene.toml flight_again/scene.toml
+
+# The paper's figures: one of them, what is no figure, and the scenes for simulate.
+expect 0 reproduce --figure 3 -o paper
+is_empty out
+has err "wrote paper"
+python3 -c 'import json, xml.dom.minidom as x; json.load(open("paper/reproduction.json")); x.parse("paper/report.html")' ||
+  fail "report or numbers of a reproduction cannot be read"
+expect 64 reproduce --figure 99
+has err "mesopix: --figure: 99; must be 1, 2, 3"
+for scene in "$data"/paper/*.toml; do expect 0 simulate "$scene" --print-scene; done
+"$mesopix" reproduce --figure 5 -o stopped_paper 2>err &
+process=$!
+sleep 1.5
+kill -INT "$process"
+wait "$process"
+code=$?
+[ "$code" -eq 75 ] || fail "a reproduction interrupted with exit code $code, not 75: $(cat err)"
+has stopped_paper/report.html "It was interrupted before the runs of these were done: Figure 5."
 
 # Physics gone wrong ends with the exit code for bad data, and keeps what was computed.
 expect 65 simulate specimen.h5 --cfl 1 --local-damping 0.99 -o diverged

@@ -61,9 +61,9 @@ TEST_F(Program, TellsItsVersion) {
 
 TEST_F(Program, HelpNamesEveryCommandWithAnExample) {
   EXPECT_EQ(run({"--help"}), Exit::ok);
-  for (const char* command : {"generate", "convert", "simulate", "inspect"})
+  for (const char* command : {"generate", "convert", "simulate", "calibrate", "inspect"})
     EXPECT_THAT(out_.str(), HasSubstr(command));
-  for (const std::string command : {"generate", "convert", "simulate", "inspect"}) {
+  for (const std::string command : {"generate", "convert", "simulate", "calibrate", "inspect"}) {
     EXPECT_EQ(run({command, "--help"}), Exit::ok);
     EXPECT_THAT(out_.str(), HasSubstr("Usage: mesopix " + command));
     EXPECT_THAT(out_.str(), HasSubstr("Example"));
@@ -79,10 +79,12 @@ TEST_F(Program, WithoutArgumentsHelpsAndFails) {
 TEST_F(Program, RefusesWhatItDoesNotKnow) {
   expect_refusal(
       {"simulte"}, Exit::usage,
-      "simulte: unknown command; must be generate, convert, simulate or inspect; did you mean simulate?");
+      "simulte: unknown command; must be generate, convert, simulate, calibrate, inspect or reproduce; did "
+      "you mean simulate?");
   expect_refusal(
       {"--json"}, Exit::usage,
-      "--json: is no command; must be generate, convert, simulate or inspect; mesopix --help tells what they "
+      "--json: is no command; must be generate, convert, simulate, calibrate, inspect or reproduce; mesopix "
+      "--help tells what they "
       "do");
   expect_refusal({"generate", "--widht", "3 mm"}, Exit::usage,
                  "--widht: unknown option; did you mean --width?; mesopix generate --help lists them");
@@ -90,6 +92,7 @@ TEST_F(Program, RefusesWhatItDoesNotKnow) {
                  "--width: needs a value; mesopix generate --help tells which");
   expect_refusal({"simulate"}, Exit::usage, "INPUT: missing; mesopix simulate INPUT");
   expect_refusal({"convert"}, Exit::usage, "PICTURE: missing; mesopix convert PICTURE");
+  expect_refusal({"calibrate"}, Exit::usage, "SCENE: missing; mesopix calibrate SCENE");
   expect_refusal({"inspect"}, Exit::usage, "FILE: missing; mesopix inspect FILE");
 }
 
@@ -308,6 +311,27 @@ TEST_F(Program, ConvertNeverOverwritesItsPicture) {
                  "-o: a_preview.png; would overwrite a_preview.png; choose another name");
   expect_refusal({"convert", "a_preview.png", "-o", "a.h5"}, Exit::usage,
                  "-o: a.h5; would overwrite a_preview.png; choose another name");
+}
+
+TEST_F(Program, ReproducesOneFigureOfThePaper) {
+  EXPECT_EQ(run({"reproduce", "--figure", "3", "-o", "paper"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(),
+              HasSubstr("figure  3, agrees   : The strengths of the points follow a Weibull distribution."));
+  EXPECT_TRUE(fs::exists("paper/report.html"));
+  EXPECT_EQ(json::parse(test::read_text("paper/reproduction.json"))["figures"].size(), 1U);
+  EXPECT_EQ(run({"reproduce", "--figure", "3", "-o", "paper"}), Exit::usage);
+  EXPECT_EQ(run({"reproduce", "--figure", "3", "-o", "paper", "--overwrite", "-q"}), Exit::ok);
+  EXPECT_EQ(err_.str(), "");
+}
+
+TEST_F(Program, RefusesFiguresThatThePaperHasNot) {
+  expect_refusal({"reproduce", "--figure", "3", "--figure", "99"}, Exit::usage,
+                 "--figure: 99; must be 1, 2, 3, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 or objectivity; leave it "
+                 "out, or give "
+                 "--all, for all of them");
+  expect_refusal({"reproduce", "--figure", "3", "--all"}, Exit::usage,
+                 "--all: given with --figure; give one of the two");
+  EXPECT_FALSE(fs::exists("runs"));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using app::parse_quantity;
 
 constexpr Dimension all_dimensions[] = {Dimension::ratio,    Dimension::length, Dimension::area,
                                         Dimension::pressure, Dimension::angle,  Dimension::velocity,
-                                        Dimension::density,  Dimension::time};
+                                        Dimension::density,  Dimension::time,   Dimension::energy};
 
 /// What the reader says about a text, "allowed; cure"; "accepted" when it has no complaint.
 std::string complaint_about(const std::string& text, Dimension dimension) {
@@ -45,6 +45,9 @@ TEST(ParseQuantity, ReadsEveryUnitAsTheDecimalItIs) {
   EXPECT_EQ(parse_quantity("1e-4 s", Dimension::time), 1e-4);
   EXPECT_EQ(parse_quantity("100 us", Dimension::time), 1e-4);
   EXPECT_EQ(parse_quantity("2 mm2", Dimension::area), 2e-6);
+  EXPECT_EQ(parse_quantity("60 J/m2", Dimension::energy), 60);
+  EXPECT_EQ(parse_quantity("0.06 N/mm", Dimension::energy), 60);
+  EXPECT_EQ(parse_quantity("60 N/m", Dimension::energy), 60);
   EXPECT_EQ(parse_quantity("45 %", Dimension::ratio), 0.45);
   EXPECT_EQ(parse_quantity("400 microstrain", Dimension::ratio), 400e-6);
   EXPECT_EQ(parse_quantity("0.45", Dimension::ratio), 0.45);

@@ -28,6 +28,7 @@ std::vector<Value> trial_values() {
           text("0.3 m/s"),
           text("2 kg/m3"),
           text("3 us"),
+          text("40 J/m2"),
           text("fuller"),
           text("A16"),
           text("otsu"),
@@ -160,7 +161,7 @@ TEST(SuggestKey, FindsWhatWasMeant) {
   EXPECT_EQ(app::suggest_key("phases.mortar.yung", settings), "did you mean phases.mortar.young?");
   EXPECT_EQ(app::suggest_key("loadng", settings), "did you mean loading?");
   EXPECT_EQ(app::suggest_key("damage.quux", settings),
-            "damage has seed, crack_closure and residual_stiffness");
+            "damage has seed, crack_closure, residual_stiffness and correlation_length");
   EXPECT_EQ(app::suggest_key("quux", settings),
             "the tables of a scene are specimen, generate, convert, itz, phases, loading, damage, solver, "
             "motion, handover and output");

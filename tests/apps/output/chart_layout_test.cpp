@@ -58,6 +58,15 @@ TEST(ChartLayout, NeedsNoLegendForOneLine) {
   EXPECT_FALSE(has(lay_out(chart, 600, 400), "rising"));
 }
 
+TEST(ChartLayout, LeavesALineWithoutANameOutOfTheLegend) {
+  Chart chart = two_lines();
+  const auto strokes = all<Stroke>(lay_out(chart, 600, 400)).size();
+  chart.series.back().name.clear();
+  EXPECT_EQ(all<Stroke>(lay_out(chart, 600, 400)).size(), strokes - 1);  // the line, but not its sample
+  chart.series.front().name.clear();
+  EXPECT_EQ(all<Stroke>(lay_out(chart, 600, 400)).size(), strokes - 2);
+}
+
 TEST(ChartLayout, PutsLargerValuesHigherAndFartherRight) {
   const Stroke line = data_line(lay_out(two_lines(), 600, 400), Ink::first);
   ASSERT_EQ(line.places.size(), 3U);

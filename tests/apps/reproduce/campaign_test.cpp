@@ -1,0 +1,86 @@
+#include "apps/reproduce/campaign.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+
+#include "apps/reproduce/figure_table.hpp"
+#include "tests/apps/reproduce/tiny_study.hpp"
+
+namespace {
+
+using namespace app::reproduce;
+
+const CampaignWatch to_the_end{[](std::size_t, std::size_t) {}, [] { return true; }};
+
+std::vector<double> peaks(const Reproduction& reproduction) {
+  std::vector<double> peaks;
+  for (const Outcomes::Entry& entry : reproduction.outcomes.entries())
+    peaks.push_back(entry.outcome.result.peak_stress);
+  return peaks;
+}
+
+TEST(Campaign, RunsWhatAFigureNeedsAndNoMore) {
+  const auto reproduction = reproduce_figures(select_figures({"12"}), test::tiny_study(), 2, to_the_end);
+  EXPECT_EQ(reproduction.outcomes.entries().size(), 10U);  // five values, tension and compression
+  ASSERT_EQ(reproduction.figures.size(), 1U);
+  EXPECT_TRUE(reproduction.figures.front().done);
+  EXPECT_FALSE(reproduction.interrupted);
+  EXPECT_EQ(claims_of(reproduction).size(), 2U);
+}
+
+TEST(Campaign, FiguresShareTheirRuns) {
+  const Study study = test::tiny_study();
+  std::set<std::string> names;
+  for (const Figure* figure : select_figures({"5", "6", "12"}))
+    for (const Trial& trial : figure->trials(study)) names.insert(name_of(trial));
+  const auto reproduction = reproduce_figures(select_figures({"5", "6", "12"}), study, 2, to_the_end);
+  EXPECT_EQ(reproduction.outcomes.entries().size(), names.size());
+  EXPECT_LT(names.size(), 6U + 2U + 10U);
+}
+
+TEST(Campaign, DoesNotDependOnTheNumberOfWorkers) {
+  const auto one = reproduce_figures(select_figures({"8"}), test::tiny_study(), 1, to_the_end);
+  const auto three = reproduce_figures(select_figures({"8"}), test::tiny_study(), 3, to_the_end);
+  EXPECT_EQ(peaks(one), peaks(three));
+  EXPECT_EQ(one.figures.front().section.html, three.figures.front().section.html);
+  EXPECT_EQ(one.figures.front().section.data, three.figures.front().section.data);
+}
+
+TEST(Campaign, RunsTheSecondRoundOnWhatTheFirstOneGave) {
+  const Study study = test::tiny_study();
+  const auto reproduction = reproduce_figures(select_figures({"11"}), study, 2, to_the_end);
+  EXPECT_EQ(reproduction.outcomes.entries().size(), 2U * static_cast<std::size_t>(study.specimens));
+  const auto& data = reproduction.figures.front().section.data;
+  const double first = data["table_1"]["peak_stress_Pa"]["mean"],
+               second = data["calibrated"]["peak_stress_Pa"]["mean"];
+  EXPECT_NEAR(second, 1.745e6, 0.1e6) << "from " << first;  // the middle of the paper's peaks
+}
+
+TEST(Campaign, KeepsWhatWasDoneWhenItIsInterrupted) {
+  std::atomic<int> done = 0;
+  const CampaignWatch interrupted{[&](std::size_t, std::size_t) { ++done; }, [&] { return done < 12; }};
+  const auto reproduction =
+      reproduce_figures(select_figures({"1", "12", "13"}), test::tiny_study(), 1, interrupted);
+  EXPECT_TRUE(reproduction.interrupted);
+  ASSERT_EQ(reproduction.figures.size(), 3U);
+  EXPECT_TRUE(reproduction.figures[0].done);
+  EXPECT_TRUE(reproduction.figures[1].done);
+  EXPECT_FALSE(reproduction.figures[2].done);
+  EXPECT_TRUE(reproduction.figures[2].section.claims.empty());  // nothing is said of runs that are missing
+}
+
+TEST(Campaign, TellsHowFarItIs) {
+  std::vector<std::size_t> told;
+  static_cast<void>(reproduce_figures(select_figures({"12"}), test::tiny_study(), 1,
+                                      {[&](std::size_t done, std::size_t all) {
+                                         EXPECT_EQ(all, 10U);
+                                         told.push_back(done);
+                                       },
+                                       [] { return true; }}));
+  EXPECT_THAT(told, testing::ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10));
+}
+
+}  // namespace
