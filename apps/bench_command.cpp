@@ -24,7 +24,7 @@ constexpr const char* footer =
     "error      error against run time: problems with a known answer, and the paper's tension test, solved "
     "in "
     "many ways;\n"
-    "           error_vs_time.html, error.csv and the cheapest way to 5, 1 and 0.1 %\n"
+    "           error_vs_time.html, error.csv, a chart a problem and the cheapest way to 5, 1 and 0.1 %\n"
     "features   the cost of every feature that a scene can leave out, with and without, and whether the "
     "results "
     "agree;\n"
@@ -92,6 +92,8 @@ Exit BenchCommand::run_error(Console& console) const {
   }();
   mpm::replace_file((folder.path() / "error.csv").string(), bench::error_csv(results));
   mpm::replace_file((folder.path() / "error_vs_time.html").string(), bench::error_html(results));
+  for (const bench::ProblemResult& result : results)
+    mpm::replace_file((folder.path() / (result.problem.name + ".png")).string(), bench::error_png(result));
   if (!console.quiet) console.out << bench::error_text(results);
   console.say("wrote " + folder.path().string());
   if (results.size() == problems.size()) return Exit::ok;

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "apps/output/chart_layout.hpp"
 #include "apps/output/html.hpp"
 #include "apps/output/key_figures.hpp"
+#include "apps/output/png.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/run_words.hpp"
 #include "apps/output/text.hpp"
@@ -17,6 +19,7 @@ namespace {
 using output::escape;
 
 constexpr std::array tolerances{0.05, 0.01, 0.001};
+constexpr double chart_width = 640, chart_height = 440;  // [px]
 constexpr const char* title = "Error against run time";
 
 /// "0.83 %", "12 %", "3.1 × 10⁻¹² %".
@@ -92,7 +95,7 @@ std::string problem_html(const ProblemResult& result) {
   return output::section(
       problem.title,
       output::paragraph(output::capitalised(problem.quantity) + ". " + answer + ".") +
-          output::chart_figure(chart_of(result), 640, 440,
+          output::chart_figure(chart_of(result), chart_width, chart_height,
                                "Along a line the problem is refined. A black dot: no other run is "
                                "both faster and more exact.") +
           output::number_table({"", "From … to", "Error", "Order", "Finest takes"}, rows) +
@@ -135,6 +138,10 @@ std::string error_html(const std::vector<ProblemResult>& results) {
       title, escape(output::version()));
   for (const ProblemResult& result : results) html += problem_html(result);
   return output::page(title, html + output::section("The cheapest way", cheapest_table(results)));
+}
+
+std::string error_png(const ProblemResult& result) {
+  return output::png_of(output::lay_out(chart_of(result), chart_width, chart_height), 2, 12);
 }
 
 std::string error_csv(const std::vector<ProblemResult>& results) {

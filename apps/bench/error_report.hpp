@@ -11,6 +11,9 @@ namespace app::bench {
 /// One chart a problem, error against wall time, and the cheapest way to 5 %, 1 % and 0.1 %.
 [[nodiscard]] std::string error_html(const std::vector<ProblemResult>& results);
 
+/// The chart of a problem as PNG, twice its size on the page.
+[[nodiscard]] std::string error_png(const ProblemResult& result);
+
 /// A line a run: problem, method, what is refined, its size, error, wall time, point-updates, order, front.
 [[nodiscard]] std::string error_csv(const std::vector<ProblemResult>& results);
 

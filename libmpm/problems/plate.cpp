@@ -21,6 +21,13 @@ PlateStress at_pixel(const Scene& scene, std::uint32_t id, const Stress<double>&
           {s.xx / load, s.yy / load, s.xy / load}};
 }
 
+/// Energies that are none, or no number, are those of a step that is too long for the damping.
+std::string trouble_of(const Ledger& ledger) {
+  if (!ledger.trouble.empty()) return ledger.trouble;
+  const double energy = std::abs(ledger.kinetic) + std::abs(ledger.elastic) + std::abs(ledger.damped);
+  return energy <= 10 * std::abs(ledger.platen_work) ? "" : "energy grows without work: the step is too long";
+}
+
 /// @param points_of  of a solver that has come to its end.
 template <class Solver, class PointsOf>
 StaticPlate pull_to_the_end(const Scene& scene, Solver& solver, const PointsOf& points_of) {
@@ -28,7 +35,7 @@ StaticPlate pull_to_the_end(const Scene& scene, Solver& solver, const PointsOf& 
   const Ledger ledger = meter.advance(solver, 1'000'000'000);
   StaticPlate result;
   result.cost = meter.cost();
-  result.trouble = ledger.diverged_at >= 0 ? "stress is not a number" : ledger.trouble;
+  result.trouble = trouble_of(ledger);
   const double load = 0.5 * (ledger.force_top - ledger.force_bottom) / scene.width();
   result.modulus = load / (ledger.platen_displacement / scene.height());
   for (const auto& p : points_of(solver)) result.points.push_back(at_pixel(scene, p.id, p.stress, load));

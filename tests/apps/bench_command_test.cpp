@@ -49,6 +49,7 @@ TEST_F(BenchCommand, WritesErrorsAgainstRunTime) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 10 * 3);
   EXPECT_THAT(test::read_text("runs/bench-error/error_vs_time.html"),
               HasSubstr("<h1>Error against run time</h1>"));
+  EXPECT_EQ(test::read_text("runs/bench-error/flight.png").substr(1, 3), "PNG");
   ASSERT_EQ(run({"error", "--problem", "flight", "-q", "--overwrite", "-o", "runs/bench-error"}), Exit::ok);
   EXPECT_EQ(out_.str() + err_.str(), "");
 }

@@ -36,4 +36,11 @@ TEST(Layers, GiveTheSameOnTheLattice) {
                 1, 5e-3);
 }
 
+TEST(Layers, AreNoAnswerWithAStepThatIsTooLong) {
+  mpm::Scene scene = mpm::problems::layered_plate(64, Layers::across);
+  EXPECT_EQ(mpm::problems::pull(scene).trouble, "");
+  scene.cfl = 0.9;  // with a damping of 0.6
+  EXPECT_EQ(mpm::problems::pull(scene).trouble, "energy grows without work: the step is too long");
+}
+
 }  // namespace
