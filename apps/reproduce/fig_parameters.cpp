@@ -14,6 +14,7 @@ namespace {
 
 /// Rank correlation that counts as a rise or a fall; of five values two neighbours may change places (0.9).
 constexpr double clear_trend = 0.85;
+constexpr const char* trend_counts = " A trend counts from a rank correlation of 0.85 on.";
 constexpr double moves = 0.05;  ///< change of a peak between the ends of a sweep that counts as one
 constexpr double half = 0.5;    ///< exponent from which on a peak goes with a strength
 
@@ -58,6 +59,7 @@ Claim rise_claim(const Sweep& sweep, const std::vector<CaseResult>& results) {
   claim.why = claim.verdict == Verdict::agrees
                   ? "Less scatter leaves fewer weak points, from which cracks start."
                   : where(results, holds);
+  claim.why += trend_counts;
   return claim;
 }
 
@@ -78,6 +80,7 @@ Claim brittle_claim(const std::vector<CaseResult>& results) {
   claim.why = claim.verdict == Verdict::agrees
                   ? "The points fail at nearly the same stress, and so at once. The drop is steep at every m."
                   : where(results, holds) + " The drop is steep at every m, which leaves little to see.";
+  claim.why += trend_counts;
   return claim;
 }
 
@@ -98,6 +101,7 @@ Claim strength_claim(const Sweep& sweep, const std::vector<CaseResult>& results)
   claim.why = claim.verdict == Verdict::agrees
                   ? "Points fail in tension in both tests, across the load or along it."
                   : where(results, holds);
+  claim.why += " A peak counts as moved from a power of 0.5 on.";
   return claim;
 }
 

@@ -78,8 +78,9 @@ std::string claims_section(const Reproduction& reproduction) {
     html += output::paragraph("Of " + counted(static_cast<int>(claims.size()), "claim") + " of the paper " +
                               verdict_counts(claims) + ".") +
             claims_table(claims);
-  return output::section("Claims", html + "<div class=\"remarks\">\n" +
-                                       output::paragraph(how_it_was_run(reproduction)) + "</div>\n");
+  return output::section(
+      claims.empty() ? "How it was run" : "Claims",
+      html + "<div class=\"remarks\">\n" + output::paragraph(how_it_was_run(reproduction)) + "</div>\n");
 }
 
 std::string bears_on(const std::vector<Claim>& claims) {

@@ -46,7 +46,9 @@ TEST(FigParameters, PeaksRiseWithTheModulus) {
   EXPECT_EQ(claim_of(modulus_section(-0.3, -0.5), "peaks-rise-with-m").verdict, Verdict::disagrees);
   const Claim half = claim_of(modulus_section(0.3, -0.5), "peaks-rise-with-m");
   EXPECT_EQ(half.verdict, Verdict::depends);
-  EXPECT_EQ(half.why, "Holds in: tension; does not hold in: compression.");
+  EXPECT_EQ(
+      half.why,
+      "Holds in: tension; does not hold in: compression. A trend counts from a rank correlation of 0.85 on.");
 }
 
 TEST(FigParameters, TheMeasuredTextHoldsTheNumbersOfTheRuns) {

@@ -75,4 +75,13 @@ TEST(ReproduceReport, CountsTheVerdicts) {
             "2 agree with this run and 1 depend on a choice or on chance");
 }
 
+TEST(ReproduceReport, HasNoHeadingForClaimsThatThereAreNot) {
+  const Reproduction reproduction = reproduce_figures(select_figures({"objectivity"}), test::tiny_study(), 1,
+                                                      {[](std::size_t, std::size_t) {}, [] { return true; }});
+  ASSERT_TRUE(claims_of(reproduction).empty());
+  EXPECT_THAT(report_html(reproduction), Not(HasSubstr("<h2>Claims</h2>")));
+  EXPECT_THAT(report_html(reproduction), HasSubstr("<h2>How it was run</h2>"));
+  EXPECT_THAT(report_html(everything()), HasSubstr("<h2>Claims</h2>"));
+}
+
 }  // namespace
