@@ -27,7 +27,7 @@ Judge& Judge::near(const std::string& what, double value, double exact, double t
 }
 
 Judge& Judge::below(const std::string& what, double value, double limit) {
-  return must(value <= limit, fmt::format("{} {:.2g} (at most {:.2g})", what, value, limit));
+  return must(value <= limit, fmt::format("{} {:.3g} (at most {:.3g})", what, value, limit));
 }
 
 Finding Judge::finding() const { return {holds_ && judged_, seen_}; }
