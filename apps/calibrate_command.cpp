@@ -8,6 +8,7 @@
 #include "apps/calibration_report.hpp"
 #include "apps/calibration_words.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/read_option.hpp"
 #include "apps/run_location.hpp"
 #include "apps/scene_builder.hpp"
 #include "apps/scene_file.hpp"
@@ -40,15 +41,6 @@ constexpr const char* footer =
     "Example: a peak of 1.75 MPa at 75 microstrain, the strength of the ITZ in its ratio to that of the "
     "mortar\n"
     "  mesopix calibrate data/two_aggregates.toml --peak-stress \"1.75 MPa\" --peak-strain 75e-6";
-
-template <class Codec>
-auto read_option(const char* option, const std::string& text, const Codec& codec) {
-  try {
-    return codec.read(from_command_line(Kind::integer, text));
-  } catch (const Mistake& mistake) {
-    throw Rejected(Exit::usage, complaint(option, text, mistake.allowed, mistake.cure));
-  }
-}
 
 Resolved resolve_scene(const std::string& input, const std::vector<Assignment>& given) {
   if (kind_of_input(input) != InputKind::scene)

@@ -1,8 +1,8 @@
 #include "apps/parameter_spread.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 
+#include "apps/pseudo_inverse.hpp"
 #include "apps/trend.hpp"
 
 namespace app {
@@ -35,9 +35,10 @@ std::optional<std::vector<double>> parameter_spread(const CalibrationTask& task,
   if (!target.curve.empty() || task.parameters.size() > figures || runs.size() < 3) return std::nullopt;
   const Eigen::VectorXd best = logarithms_of(calibration.best_evaluation().factors);
   const Eigen::MatrixXd slope = fit_trend(calibration.history, best).slope;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slope);
-  if (!(svd.singularValues().minCoeff() > least_slope)) return std::nullopt;
-  const Eigen::MatrixXd inverse = slope.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse = pseudo_inverse(slope);
+  if (!(inverse * slope).isIdentity(1e-6)) return std::nullopt;  // some parameter changes nothing of its own
+  // The norm is no less than the inverse of the smallest singular value.
+  if (!(1 / inverse.norm() > least_slope)) return std::nullopt;
   const Eigen::MatrixXd spread = inverse * covariance(figures_of_each(target, runs)) * inverse.transpose() /
                                  static_cast<double>(task.seeds);
   std::vector<double> deviations;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <new>
 
+#include "apps/bench_command.hpp"
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
@@ -68,8 +69,8 @@ class Program {
   }
 
  private:
-  std::array<Command*, 6> commands() {
-    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &reproduce_};
+  std::array<Command*, 7> commands() {
+    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &reproduce_, &bench_};
   }
 
   Command* find(const std::string& name) {
@@ -96,6 +97,7 @@ class Program {
   CalibrateCommand calibrate_{root_};
   InspectCommand inspect_{root_};
   ReproduceCommand reproduce_{root_};
+  BenchCommand bench_{root_};
 };
 
 Exit refuse(Console& console, Exit code, const std::vector<Complaint>& complaints) {

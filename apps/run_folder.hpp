@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/output/error_estimate.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene.hpp"
 #include "specimen/specimen.hpp"
@@ -15,10 +16,11 @@ struct RunRecord {
   const specimen::Specimen& specimen;  ///< what was broken; its mask has the shape of the scene's labels
   const mpm::Scene& scene;             ///< as it was solved
   const mpm::Result& result;
-  std::string scene_toml;          ///< the resolved scene, every default written out
-  std::string scene_hash;          ///< SHA-256 of scene_toml, lower-case hexadecimal
-  std::string title;               ///< the user's own words; escaped wherever it is shown
-  std::vector<std::string> notes;  ///< what was guessed or cut short, one sentence each
+  std::string scene_toml;                     ///< the resolved scene, every default written out
+  std::string scene_hash;                     ///< SHA-256 of scene_toml, lower-case hexadecimal
+  std::string title;                          ///< the user's own words; escaped wherever it is shown
+  std::vector<std::string> notes;             ///< what was guessed or cut short, one sentence each
+  output::ErrorEstimate error_estimate = {};  ///< of the peak; without sources when none was asked for
 };
 
 /// Write a run folder, creating it where it is missing:

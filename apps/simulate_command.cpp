@@ -5,10 +5,14 @@
 #include <filesystem>
 #include <optional>
 
+#include "apps/energy_note.hpp"
+#include "apps/error_estimation.hpp"
 #include "apps/explanation.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/output/load_words.hpp"
+#include "apps/output/text.hpp"
 #include "apps/progress_line.hpp"
+#include "apps/read_option.hpp"
 #include "apps/run_folder.hpp"
 #include "apps/run_location.hpp"
 #include "apps/scene_builder.hpp"
@@ -49,8 +53,7 @@ struct Outcome {
   std::string divergence;  ///< what went wrong; empty when nothing did
 };
 
-Outcome solve(const mpm::Scene& scene, Console& console) {
-  const InterruptGuard guard;
+Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard) {
   ProgressLine line(console.err, scene, console.err_is_terminal && !console.quiet);
   try {
     return {mpm::simulate(scene,
@@ -64,35 +67,32 @@ Outcome solve(const mpm::Scene& scene, Console& console) {
   }
 }
 
-/// Share of the energy put in that the ledger may miss without a word. Points that move lose more to the
-/// grid, and can lose it all in the end where rubble is ground.
-double tolerated_energy_error(const mpm::Scene& scene) {
-  return scene.kinematics == mpm::Kinematics::small_strain ? 0.01 : 0.1;
+/// A second run that was interrupted, or went wrong.
+struct NoEstimate {
+  bool interrupted = false;
+  std::string why;
+};
+
+/// Nothing is kept of second runs but what they end with.
+Solve second_run(Console& console, const InterruptGuard& guard) {
+  return [&](const mpm::Scene& scene) {
+    Outcome outcome = solve(scene, console, guard);
+    if (!outcome.divergence.empty()) throw NoEstimate{false, outcome.divergence};
+    if (outcome.result.stop == mpm::StopReason::interrupted) throw NoEstimate{true, "it was interrupted"};
+    return std::move(outcome.result);
+  };
 }
 
-/// What keeps more of the energy than the scene does.
-std::string less_dissipation(const mpm::Scene& scene) {
-  const mpm::Motion& motion = scene.motion;
-  if (motion.transfer == mpm::Transfer::apic || motion.flip_ratio < 1)
-    return "motion.transfer = \"flip\" with motion.flip_ratio = 1 loses less";
-  if (motion.scheme == mpm::Scheme::usl) return "motion.scheme = \"musl\" or \"usf\" loses less";
-  return "a smaller solver.cfl loses less";
-}
+std::string percent_text(double error) { return output::rounded(100 * error, 2) + " %"; }
 
-std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
-  const std::string put_in = output::has_platens(scene) ? "the platen work" : "the energy of the flight";
-  if (scene.damage.crack_closure == mpm::CrackClosure::clipped)
-    return fmt::format(
-        "the ledger of energies is off by {:.2g} % of {}; damage.crack_closure = \"clipped\" "
-        "does not keep energy, \"unilateral\" does",
-        100 * result.energy_error, put_in);
-  if (scene.kinematics == mpm::Kinematics::small_strain)
-    return fmt::format("the ledger of energies is off by {:.2g} % of {}; try a smaller solver.cfl",
-                       100 * result.energy_error, put_in);
+std::string estimate_text(const output::ErrorEstimate& estimate) {
+  std::string parts;
+  for (const output::ErrorSource& source : estimate.sources)
+    parts += (parts.empty() ? "" : ", ") + source.name + " " + percent_text(source.stress_error);
   return fmt::format(
-      "{:.2g} % of {} was lost to numerical dissipation, as moving points average velocities "
-      "through the grid; {}",
-      100 * result.energy_error, put_in, less_dissipation(scene));
+      "the peak stress may be wrong by {} and its strain by {} ({}), estimated in {:.2f} s more",
+      percent_text(estimate.stress_error()), percent_text(estimate.strain_error()), parts,
+      estimate.wall_time());
 }
 
 std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {
@@ -121,14 +121,47 @@ Job prepare_job(Settings settings, Console& console) {
   return {std::move(settings), std::move(prepared.specimen), std::move(scene), std::move(prepared.notes)};
 }
 
+/// Gives the scene the rate, step and precision that the tolerance asks for.   @return their error.
+output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
+  const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
+  for (mpm::Scene* scene : {&job.scene, &job.settings.scene}) {
+    scene->loading.velocity = found.scene.loading.velocity;
+    scene->cfl = found.scene.cfl;
+    scene->precision = found.scene.precision;
+  }
+  console.say(fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision",
+                          output::trimmed(100 * tolerance) + " %", found.met ? "met" : "not met",
+                          output::trimmed(found.scene.loading.velocity, 4),
+                          output::trimmed(found.scene.cfl, 4),
+                          found.scene.precision == mpm::Precision::single ? "single" : "double"));
+  if (!found.met)
+    job.notes.push_back(
+        "the tolerance of " + output::trimmed(100 * tolerance) +
+        " % was not met: where points fail, another order of failures changes the peak as much");
+  return found.estimate;
+}
+
+/// Of a run that came to its end; without sources where a second run did not, which is noted.
+output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, Console& console,
+                                  const InterruptGuard& guard) {
+  if (!outcome.divergence.empty() || outcome.result.stop == mpm::StopReason::interrupted) return {};
+  try {
+    return estimate_error(job.scene, outcome.result, second_run(console, guard));
+  } catch (const NoEstimate& failed) {
+    job.notes.push_back("there is no estimate of the error: " + failed.why);
+    console.say("note: " + job.notes.back());
+    return {};
+  }
+}
+
 /// What the run itself leaves to be noted.
 void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   if (!outcome.divergence.empty()) {
     job.notes.push_back(outcome.divergence);
-  } else if (outcome.result.energy_error > tolerated_energy_error(job.scene)) {
-    job.notes.push_back(energy_note(outcome.result, job.scene));
+  } else if (const std::string note = energy_note(outcome.result, job.scene); !note.empty()) {
+    job.notes.push_back(note);
     const bool expected = job.scene.kinematics != mpm::Kinematics::small_strain;
-    console.say((expected ? "note: " : "warning: ") + job.notes.back());
+    console.say((expected ? "note: " : "warning: ") + note);
   }
 }
 
@@ -155,6 +188,15 @@ SimulateCommand::SimulateCommand(CLI::App& program)
   options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");
   options().add_flag("--explain", explain_,
                      "print what the run computes, what it leaves out and what that saves, and do no more");
+  options().add_flag(
+      "--estimate-error", estimate_error_,
+      "say how wrong the peak may be, from runs at another rate, step, precision and pixel size");
+  options()
+      .add_option(
+          "--tolerance", tolerance_,
+          "choose the rate, the step and the precision that keep the error of the peak stress below this, "
+          "e.g. \"1 %\"")
+      ->type_name("RATIO");
   options().add_flag("--json", json_, "summary as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
@@ -163,10 +205,27 @@ std::vector<std::string> SimulateCommand::prepare(const std::vector<std::string>
   return settings_.take_phase_options(arguments);
 }
 
-Exit SimulateCommand::run(Console& console) {
-  console.quiet = quiet_;
+void SimulateCommand::check_options() const {
   if (input_.empty())
     throw Rejected(Exit::usage, complaint("INPUT", "missing", "", "mesopix simulate INPUT"));
+  const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
+  const char* other = explain_                                 ? "--explain"
+                      : print_scene_                           ? "--print-scene"
+                      : !tolerance_.empty() && estimate_error_ ? "--estimate-error"
+                                                               : nullptr;
+  if (error != nullptr && other != nullptr)
+    throw Rejected(Exit::usage,
+                   complaint(error, std::string("given with ") + other, "", "give one of the two"));
+}
+
+double SimulateCommand::tolerance() const {
+  return read_option("--tolerance", tolerance_, Quantity{Dimension::ratio, inside(0, 1), {}});
+}
+
+Exit SimulateCommand::run(Console& console) {
+  console.quiet = quiet_;
+  check_options();
+  const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
   Resolved resolved = resolve_input(input_, settings_.assignments());
   console.origins = resolved.origins;
   Settings& settings = resolved.settings;
@@ -182,17 +241,30 @@ Exit SimulateCommand::run(Console& console) {
     console.out << (json_ ? explanation_json(explanation).dump(2) + "\n" : explanation_text(explanation));
     return Exit::ok;
   }
+  if ((estimate_error_ || wanted) && !output::has_platens(job.scene))
+    throw Rejected(Exit::usage, complaint(wanted ? "--tolerance" : "--estimate-error", "there are no platens",
+                                          "needs a test in tension or compression"));
   const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
-  const Outcome outcome = solve(job.scene, console);
+  const InterruptGuard guard;
+  output::ErrorEstimate estimate;
+  try {
+    if (wanted) estimate = meet(*wanted, job, console, guard);
+  } catch (const NoEstimate& failed) {
+    throw Rejected(failed.interrupted ? Exit::interrupted : Exit::data,
+                   complaint("--tolerance", "not met, " + failed.why, "", "nothing was written"));
+  }
+  const Outcome outcome = solve(job.scene, console, guard);
+  if (estimate_error_) estimate = estimate_of(outcome, job, console, guard);
   note_outcome(outcome, job, console);
   const std::string toml = scene_text(job.settings, Extent::whole, folder.path());
   const RunRecord record{job.specimen,       job.scene, outcome.result, toml, specimen::sha256_of_text(toml),
-                         job.settings.title, job.notes};
+                         job.settings.title, job.notes, estimate};
   write_run(folder.path(), record);
   if (json_)
     console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   else
     console.say(result_text(outcome.result, job.scene));
+  if (!estimate.sources.empty()) console.say(estimate_text(estimate));
   console.say("wrote " + folder.path().string());
   return exit_of(outcome, folder.path(), console);
 }

@@ -12,12 +12,17 @@ class SimulateCommand : public Command {
   Exit run(Console& console) override;
 
  private:
+  void check_options() const;
+  [[nodiscard]] double tolerance() const;
+
   SettingOptions settings_;
   std::string input_;
   std::string output_;
   bool overwrite_ = false;
   bool print_scene_ = false;
   bool explain_ = false;
+  bool estimate_error_ = false;
+  std::string tolerance_;
   bool json_ = false;
   bool quiet_ = false;
 };

@@ -1,7 +1,8 @@
 #include "apps/trend.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
+
+#include "apps/pseudo_inverse.hpp"
 
 namespace app {
 namespace {
@@ -32,10 +33,7 @@ Trend fit_trend(const std::vector<Evaluation>& history, const Eigen::VectorXd& c
     x.row(row) << weight, weight * change.transpose();
     y.row(row) = weight * evaluation.figures.transpose();
   }
-  auto solver = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>();
-  solver.setThreshold(1e-6);
-  solver.compute(x);
-  const Eigen::MatrixXd solution = solver.solve(y);  // the smallest where there are many
+  const Eigen::MatrixXd solution = pseudo_inverse(x) * y;
   return {centre, solution.row(0).transpose(), solution.bottomRows(centre.size()).transpose()};
 }
 

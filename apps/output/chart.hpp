@@ -10,8 +10,9 @@ namespace output {
 
 /// A quantity along an axis, in the unit that is shown.
 struct Axis {
-  std::string label;  ///< "Stress"
-  std::string unit;   ///< "MPa"
+  std::string label;         ///< "Stress"
+  std::string unit;          ///< "MPa"
+  bool logarithmic = false;  ///< values that are not positive leave a gap
 };
 
 /// A line through points; points that are not finite leave a gap.
@@ -21,9 +22,10 @@ struct Series {
   std::vector<double> y;  ///< same length
   Ink ink = Ink::first;
   bool dashed = false;
+  bool dotted = false;  ///< a dot on each of its points
 };
 
-/// A point that is pointed out, with a few words.
+/// A point that is pointed out, with a few words or none.
 struct Marker {
   double x = 0;
   double y = 0;

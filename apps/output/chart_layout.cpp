@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/output/text.hpp"
 #include "apps/output/thin_line.hpp"
 #include "apps/output/ticks.hpp"
 
@@ -31,24 +32,73 @@ struct Range {
   [[nodiscard]] double width() const { return high - low; }
 };
 
-/// Of finite values and zero.
-Range range_of(const std::vector<Series>& series, std::vector<double> Series::*values) {
-  Range range;
+using Values = std::vector<double> Series::*;
+
+/// Of values along an axis, in its scale: of finite ones, and of zero where the axis has one.
+Range range_of(const Axis& axis, const std::vector<Series>& series, Values values) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Range range = axis.logarithmic ? Range{infinity, -infinity} : Range{};
   for (const Series& line : series)
     for (const double value : line.*values)
       if (std::isfinite(value)) {
         range.low = std::min(range.low, value);
         range.high = std::max(range.high, value);
       }
-  if (range.width() <= 0) range.high = 1;
+  if (range.low > range.high) range = {};
+  if (range.width() <= 0) range.high = range.low + 1;
   return range;
 }
 
-/// With room for a marker's words above the highest point.
-Range with_headroom(Range range, bool has_markers) {
-  range.high += (has_markers ? 0.14 : 0.04) * range.width();
-  if (range.low < 0) range.low -= 0.04 * range.width();
+/// With room for a marker's words above the highest point, and round the points of a logarithmic axis.
+Range with_headroom(const Axis& axis, Range range, bool has_words) {
+  const double width = range.width();
+  range.high += (has_words ? 0.14 : 0.04) * width;
+  if (axis.logarithmic || range.low < 0) range.low -= 0.04 * width;
   return range;
+}
+
+/// On a logarithmic axis, in decades; not a number for what is not positive.
+double in_scale(const Axis& axis, double value) {
+  if (!axis.logarithmic) return value;
+  return value > 0 ? std::log10(value) : std::numeric_limits<double>::quiet_NaN();
+}
+
+Chart in_scale(Chart chart) {
+  for (Series& line : chart.series) {
+    for (double& value : line.x) value = in_scale(chart.x, value);
+    for (double& value : line.y) value = in_scale(chart.y, value);
+  }
+  for (Marker& marker : chart.markers) {
+    marker.x = in_scale(chart.x, marker.x);
+    marker.y = in_scale(chart.y, marker.y);
+  }
+  return chart;
+}
+
+/// Where a line stands, in the scale of its axis, and what is written beside it.
+struct Tick {
+  double at = 0;
+  std::string text;
+  bool is_zero = false;
+};
+
+/// "10⁻⁵" rather than "1 × 10⁻⁵".
+std::string logarithmic_text(double value) {
+  const std::string text = trimmed(value, 2);
+  const std::string one = "1\u00A0×\u00A0";
+  return text.rfind(one, 0) == 0 ? text.substr(one.size()) : text;
+}
+
+std::vector<Tick> ticks_of(const Axis& axis, const Range& range, int at_most) {
+  std::vector<Tick> ticks;
+  if (axis.logarithmic) {
+    for (const double value : logarithmic_ticks(std::pow(10, range.low), std::pow(10, range.high), at_most))
+      ticks.push_back({std::log10(value), logarithmic_text(value)});
+    return ticks;
+  }
+  const Ticks round = ticks_between(range.low, range.high, at_most);
+  for (const double value : round.values) ticks.push_back({value, tick_text(value, round.step), value == 0});
+  return ticks;
 }
 
 /// The rectangle of the data, and how data come into it.
@@ -101,30 +151,25 @@ void draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries) {
   }
 }
 
-void draw_y_axis(Drawing& drawing, const Frame& frame, const Ticks& ticks) {
-  for (const double value : ticks.values) {
-    const double y = frame.place(frame.x.low, value).y;
+void draw_y_axis(Drawing& drawing, const Frame& frame, const std::vector<Tick>& ticks) {
+  for (const Tick& tick : ticks) {
+    const double y = frame.place(frame.x.low, tick.at).y;
     drawing.shapes.emplace_back(
-        Stroke{{{frame.left, y}, {frame.right, y}}, value == 0 ? Ink::axis : Ink::grid, 1});
-    drawing.shapes.emplace_back(Words{{frame.left - 8, y + 0.35 * text_size},
-                                      tick_text(value, ticks.step),
-                                      text_size,
-                                      Anchor::end,
-                                      Ink::muted});
+        Stroke{{{frame.left, y}, {frame.right, y}}, tick.is_zero ? Ink::axis : Ink::grid, 1});
+    drawing.shapes.emplace_back(
+        Words{{frame.left - 8, y + 0.35 * text_size}, tick.text, text_size, Anchor::end, Ink::muted});
   }
 }
 
-void draw_x_axis(Drawing& drawing, const Frame& frame, const Ticks& ticks, const std::string& title) {
+void draw_x_axis(Drawing& drawing, const Frame& frame, const std::vector<Tick>& ticks,
+                 const std::string& title) {
   drawing.shapes.emplace_back(
       Stroke{{{frame.left, frame.bottom}, {frame.right, frame.bottom}}, Ink::axis, 1});
-  for (const double value : ticks.values) {
-    const double x = frame.place(value, frame.y.low).x;
+  for (const Tick& tick : ticks) {
+    const double x = frame.place(tick.at, frame.y.low).x;
     drawing.shapes.emplace_back(Stroke{{{x, frame.bottom}, {x, frame.bottom + 5}}, Ink::axis, 1});
-    drawing.shapes.emplace_back(Words{{x, frame.bottom + 5 + 1.1 * text_size},
-                                      tick_text(value, ticks.step),
-                                      text_size,
-                                      Anchor::middle,
-                                      Ink::muted});
+    drawing.shapes.emplace_back(
+        Words{{x, frame.bottom + 5 + 1.1 * text_size}, tick.text, text_size, Anchor::middle, Ink::muted});
   }
   drawing.shapes.emplace_back(
       Words{{(frame.left + frame.right) / 2, frame.bottom + 5 + 1.1 * text_size + line_height},
@@ -139,6 +184,10 @@ void draw_series(Drawing& drawing, const Frame& frame, const Series& series) {
     for (Place& place : places) place = frame.place(place.x, place.y);
     drawing.shapes.emplace_back(Stroke{thin_line(places), series.ink, 2, series.dashed});
   }
+  if (!series.dotted) return;
+  for (std::size_t i = 0; i < series.x.size(); ++i)
+    if (std::isfinite(series.x[i]) && std::isfinite(series.y[i]))
+      drawing.shapes.emplace_back(Dot{frame.place(series.x[i], series.y[i]), 3, series.ink});
 }
 
 /// Words go to the right of the point, or to the left where they would leave the drawing.
@@ -147,6 +196,7 @@ void draw_marker(Drawing& drawing, const Frame& frame, const Marker& marker) {
   const Place at = frame.place(marker.x, marker.y);
   const bool fits = at.x + 10 + text_width(marker.text) <= drawing.width;
   drawing.shapes.emplace_back(Dot{at, 4, Ink::text});
+  if (marker.text.empty()) return;
   drawing.shapes.emplace_back(Words{{at.x + (fits ? 10 : -10), at.y - 8},
                                     marker.text,
                                     text_size,
@@ -154,28 +204,32 @@ void draw_marker(Drawing& drawing, const Frame& frame, const Marker& marker) {
                                     Ink::text});
 }
 
-double widest(const Ticks& ticks) {
+double widest(const std::vector<Tick>& ticks) {
   double width = 0;
-  for (const double value : ticks.values) width = std::max(width, text_width(tick_text(value, ticks.step)));
+  for (const Tick& tick : ticks) width = std::max(width, text_width(tick.text));
   return width;
 }
 
 }  // namespace
 
-Drawing lay_out(const Chart& chart, double width, double height) {
+Drawing lay_out(const Chart& in_units, double width, double height) {
+  const Chart chart = in_scale(in_units);
   Drawing drawing{width, height, chart.title, {}};
   const std::vector<LegendEntry> legend = legend_of(chart.series, width, 2 * line_height);
 
   Frame frame;
-  frame.x = range_of(chart.series, &Series::x);
-  frame.y = with_headroom(range_of(chart.series, &Series::y), !chart.markers.empty());
+  const bool has_words = std::any_of(chart.markers.begin(), chart.markers.end(),
+                                     [](const Marker& marker) { return !marker.text.empty(); });
+  frame.x = range_of(chart.x, chart.series, &Series::x);
+  if (chart.x.logarithmic) frame.x = with_headroom(chart.x, frame.x, false);
+  frame.y = with_headroom(chart.y, range_of(chart.y, chart.series, &Series::y), has_words);
   frame.top = (legend.empty() ? line_height : legend.back().at.y) + 0.6 * line_height;
   frame.bottom = height - 5 - 1.1 * text_size - 1.35 * line_height;
-  const Ticks y_ticks = ticks_between(frame.y.low, frame.y.high,
-                                      std::clamp(static_cast<int>((frame.bottom - frame.top) / 32), 2, 8));
+  const std::vector<Tick> y_ticks =
+      ticks_of(chart.y, frame.y, std::clamp(static_cast<int>((frame.bottom - frame.top) / 32), 2, 8));
   frame.left = edge + widest(y_ticks) + 8;
-  const Ticks x_ticks =
-      ticks_between(frame.x.low, frame.x.high, std::clamp(static_cast<int>(width / 75), 2, 12));
+  const std::vector<Tick> x_ticks =
+      ticks_of(chart.x, frame.x, std::clamp(static_cast<int>(width / 75), 2, 12));
   frame.right = width - edge - widest(x_ticks) / 2;
 
   drawing.shapes.emplace_back(

@@ -6,10 +6,10 @@
 namespace output {
 
 std::string report_html(const RunRecord& record) {
-  return page(title_of(record), header_html(record) + curve_section(record) + damage_section(record) +
-                                    specimen_section(record) + ledger_section(record) +
-                                    solution_section(record) + notes_section(record) + scene_section(record) +
-                                    citation_section(record));
+  return page(title_of(record), header_html(record) + curve_section(record) + error_section(record) +
+                                    damage_section(record) + specimen_section(record) +
+                                    ledger_section(record) + solution_section(record) +
+                                    notes_section(record) + scene_section(record) + citation_section(record));
 }
 
 }  // namespace output

@@ -7,9 +7,11 @@
 
 namespace output {
 
-[[nodiscard]] std::string header_html(const RunRecord& record);     ///< title, setting
-[[nodiscard]] std::string notes_section(const RunRecord& record);   ///< what was guessed or cut short
-[[nodiscard]] std::string curve_section(const RunRecord& record);   ///< stress chart and key figures
+[[nodiscard]] std::string header_html(const RunRecord& record);    ///< title, setting
+[[nodiscard]] std::string notes_section(const RunRecord& record);  ///< what was guessed or cut short
+[[nodiscard]] std::string curve_section(const RunRecord& record);  ///< stress chart and key figures
+[[nodiscard]] std::string error_section(
+    const RunRecord& record);  ///< how wrong the peak may be; empty for none
 [[nodiscard]] std::string damage_section(const RunRecord& record);  ///< pictures at shares of the peak strain
 [[nodiscard]] std::string specimen_section(const RunRecord& record);  ///< preview and statistics
 [[nodiscard]] std::string ledger_section(const RunRecord& record);    ///< energies, failures, their table

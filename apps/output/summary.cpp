@@ -96,6 +96,22 @@ json figures_of(const mpm::Result& result) {
           {"stop_reason", output::word_of(result.stop)}};
 }
 
+json estimate_of(const output::ErrorEstimate& estimate) {
+  json all{{"peak_stress_error", estimate.stress_error()},
+           {"peak_strain_error", estimate.strain_error()},
+           {"wall_s", estimate.wall_time()},
+           {"sources", json::array()}};
+  for (const output::ErrorSource& source : estimate.sources)
+    all["sources"].push_back({{"name", source.name},
+                              {"compared_with", source.compared},
+                              {"peak_stress_Pa", source.peak_stress},
+                              {"peak_strain", source.peak_strain},
+                              {"peak_stress_error", source.stress_error},
+                              {"peak_strain_error", source.strain_error},
+                              {"wall_s", source.wall_time}});
+  return all;
+}
+
 }  // namespace
 
 json summary(const RunRecord& record) {
@@ -108,6 +124,7 @@ json summary(const RunRecord& record) {
   if (output::has_end(record.result))
     all["end_picture"] = {{"file", output::deformed_name(false)},
                           {"colour_file", output::deformed_name(true)}};
+  if (!record.error_estimate.sources.empty()) all["error_estimate"] = estimate_of(record.error_estimate);
   all["notes"] = output::all_notes(record);
   all["title"] = record.title;
   all["scene_hash"] = record.scene_hash;

@@ -35,6 +35,25 @@ Ticks ticks_between(double low, double high, int at_most) {
   return {step, values};
 }
 
+std::vector<double> logarithmic_ticks(double low, double high, int at_most) {
+  const double slack = 1e-9;
+  const int first = static_cast<int>(std::ceil(std::log10(low) - slack));
+  const int last = static_cast<int>(std::floor(std::log10(high) + slack));
+  std::vector<double> values;
+  if (last - first >= 1) {
+    const int stride = 1 + (last - first) / at_most;
+    for (int power = first; power <= last; power += stride) values.push_back(std::pow(10.0, power));
+    return values;
+  }
+  for (int power = first - 1; power <= last + 1; ++power)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double value = factor * std::pow(10.0, power);
+      if (value >= low * (1 - slack) && value <= high * (1 + slack)) values.push_back(value);
+    }
+  if (values.empty()) values.push_back(std::sqrt(low * high));  // less than a factor of two and a half
+  return values;
+}
+
 std::string tick_text(double value, double step) {
   if (value == 0) return "0";
   const int decimals = -static_cast<int>(std::floor(std::log10(step) + 1e-9));

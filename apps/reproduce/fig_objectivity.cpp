@@ -15,7 +15,6 @@
 namespace app::reproduce {
 namespace {
 
-constexpr std::array pixel_sizes{1.0, 0.5, 0.25, 0.125, 0.0625};  ///< [mm]
 constexpr int most_fields = 5;
 constexpr double converged = 0.03;  ///< change of a mean between the two finest pictures that counts as none
 
@@ -45,7 +44,7 @@ Trial trial_of(const Law& law, double pixel_size, int field) {
 std::vector<Trial> trials(const Study& study) {
   std::vector<Trial> trials;
   for (const Law& law : laws())
-    for (const double size : pixel_sizes)
+    for (const double size : study.pixel_sizes)
       for (int field = 1; field <= fields_of(study); ++field) trials.push_back(trial_of(law, size, field));
   return trials;
 }
@@ -53,6 +52,7 @@ std::vector<Trial> trials(const Study& study) {
 /// Of one law, pixel size by pixel size.
 struct Convergence {
   std::string law;
+  std::vector<double> pixel_sizes;        ///< [mm]
   std::vector<Spread> peak;               ///< [Pa]
   std::vector<Spread> released;           ///< by the end of the run [J/m]
   std::vector<const mpm::Result*> first;  ///< of the first field
@@ -64,8 +64,8 @@ struct Convergence {
 };
 
 Convergence convergence_of(const Law& law, const Study& study, const Outcomes& outcomes) {
-  Convergence convergence{law.name, {}, {}, {}};
-  for (const double size : pixel_sizes) {
+  Convergence convergence{law.name, study.pixel_sizes, {}, {}, {}};
+  for (const double size : study.pixel_sizes) {
     std::vector<double> peaks, energies;
     for (int field = 1; field <= fields_of(study); ++field) {
       const mpm::Result& run = outcomes.of(trial_of(law, size, field)).result;
@@ -88,8 +88,8 @@ output::Chart means_chart(const std::string& title, const output::Axis& axis, do
   output::Chart chart{title, {"Pixel size", "mm"}, axis, {}, {}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     output::Series series{all[i].law, {}, {}, inks[i], false};
-    for (std::size_t k = pixel_sizes.size(); k-- > 0;) {
-      series.x.push_back(pixel_sizes[k]);
+    for (std::size_t k = all[i].pixel_sizes.size(); k-- > 0;) {
+      series.x.push_back(all[i].pixel_sizes[k]);
       series.y.push_back((all[i].*quantity)[k].mean / unit);
     }
     chart.series.push_back(std::move(series));
@@ -99,12 +99,12 @@ output::Chart means_chart(const std::string& title, const output::Axis& axis, do
 
 output::Chart curves_chart(const Convergence& convergence) {
   output::Chart chart{"Curves, " + convergence.law, {"Strain", "microstrain"}, {"Stress", "MPa"}, {}, {}};
-  for (std::size_t k = 0; k < pixel_sizes.size(); ++k) {
+  for (std::size_t k = 0; k < convergence.pixel_sizes.size(); ++k) {
     Curve curve = stress_curve(*convergence.first[k]);
     for (double& strain : curve.x) strain *= 1e6;
     for (double& stress : curve.y) stress *= 1e-6;
-    chart.series.push_back(
-        {fmt::format("{:g} mm", pixel_sizes[k]), std::move(curve.x), std::move(curve.y), inks[k], false});
+    chart.series.push_back({fmt::format("{:g} mm", convergence.pixel_sizes[k]), std::move(curve.x),
+                            std::move(curve.y), inks[k % inks.size()], false});
   }
   return chart;
 }
@@ -115,8 +115,8 @@ std::string plus_minus(const Spread& spread, double unit) {
 
 std::string table_of(const Convergence& convergence) {
   std::vector<std::vector<std::string>> rows;
-  for (std::size_t k = 0; k < pixel_sizes.size(); ++k)
-    rows.push_back({fmt::format("{:g} mm", pixel_sizes[k]), plus_minus(convergence.peak[k], 1e6),
+  for (std::size_t k = 0; k < convergence.pixel_sizes.size(); ++k)
+    rows.push_back({fmt::format("{:g} mm", convergence.pixel_sizes[k]), plus_minus(convergence.peak[k], 1e6),
                     plus_minus(convergence.released[k], 1)});
   return output::number_table({"Pixel", "Peak MPa", "Energy J/m"}, rows);
 }
@@ -161,8 +161,8 @@ nlohmann::json json_of_all(const std::vector<Convergence>& all) {
     nlohmann::json& law = json[one.law];
     law["peak_change_of_the_finest"] = Convergence::change(one.peak);
     law["energy_change_of_the_finest"] = Convergence::change(one.released);
-    for (std::size_t k = 0; k < pixel_sizes.size(); ++k) {
-      law["pixel_size_m"].push_back(1e-3 * pixel_sizes[k]);
+    for (std::size_t k = 0; k < one.pixel_sizes.size(); ++k) {
+      law["pixel_size_m"].push_back(1e-3 * one.pixel_sizes[k]);
       law["peak_stress_Pa"].push_back(json_of(one.peak[k]));
       law["released_J_per_m"].push_back(json_of(one.released[k]));
     }

@@ -17,6 +17,8 @@ struct Study {
   int repeats = 3;     ///< random specimens per point of figures 12 to 14, >= 1
   std::vector<Setting> square;  ///< added to every run of the random specimen, e.g. to make it small
   std::vector<Setting> pair;    ///< added to every run of the two aggregates
+  std::vector<double> pixel_sizes{1, 0.5, 0.25, 0.125,
+                                  0.0625};  ///< of the objectivity figure, falling, >= 2 [mm]
 };
 
 /// What a figure contributes to the report.

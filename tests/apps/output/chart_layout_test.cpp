@@ -145,4 +145,45 @@ TEST(ChartLayout, DrawsNoMarkerWithoutAPlace) {
   EXPECT_TRUE(all<Dot>(lay_out(chart, 600, 400)).empty());
 }
 
+/// Errors that fall tenfold while the time grows tenfold, over five decades.
+Chart logarithmic_chart() {
+  Chart chart = two_lines();
+  chart.x = {"Time", "s", true};
+  chart.y = {"Error", "", true};
+  chart.series = {{"GIMP", {0.01, 0.1, 1}, {1, 0.1, 1e-5}, Ink::first, false, true}};
+  chart.markers.clear();
+  return chart;
+}
+
+TEST(ChartLayout, PutsEqualRatiosAtEqualDistancesOnLogarithmicAxes) {
+  const Stroke line = data_line(lay_out(logarithmic_chart(), 600, 400), Ink::first);
+  ASSERT_EQ(line.places.size(), 3U);
+  EXPECT_NEAR(line.places[2].x - line.places[1].x, line.places[1].x - line.places[0].x, 1e-9);
+  EXPECT_NEAR((line.places[2].y - line.places[1].y) / (line.places[1].y - line.places[0].y), 4, 1e-9);
+  EXPECT_TRUE(has(lay_out(logarithmic_chart(), 600, 400), "10⁻⁵"));
+  EXPECT_TRUE(has(lay_out(logarithmic_chart(), 600, 400), "0.01"));
+}
+
+TEST(ChartLayout, LeavesWhatHasNoLogarithmOut) {
+  Chart chart = logarithmic_chart();
+  chart.series[0].y[2] = 0;
+  EXPECT_EQ(data_line(lay_out(chart, 600, 400), Ink::first).places.size(), 2U);
+  EXPECT_EQ(all<Dot>(lay_out(chart, 600, 400)).size(), 2U);
+  chart.series[0].y = {0, -1, 0};
+  EXPECT_TRUE(all<Dot>(lay_out(chart, 600, 400)).empty());
+}
+
+TEST(ChartLayout, DrawsDotsWhereTheyAreAskedForAndMarkersWithoutWords) {
+  Chart chart = logarithmic_chart();
+  EXPECT_EQ(all<Dot>(lay_out(chart, 600, 400)).size(), 3U);
+  const auto words = words_of(lay_out(chart, 600, 400));
+  chart.markers = {{0.1, 0.1, ""}};
+  EXPECT_EQ(words_of(lay_out(chart, 600, 400)), words);
+  const std::vector<Dot> dots = all<Dot>(lay_out(chart, 600, 400));
+  ASSERT_EQ(dots.size(), 4U);
+  EXPECT_DOUBLE_EQ(dots[3].centre.x, dots[1].centre.x);
+  chart.series[0].dotted = false;
+  EXPECT_EQ(all<Dot>(lay_out(chart, 600, 400)).size(), 1U);
+}
+
 }  // namespace

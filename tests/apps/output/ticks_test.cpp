@@ -30,6 +30,25 @@ TEST(Ticks, IncludeAnEndThatIsRound) {
   EXPECT_DOUBLE_EQ(output::ticks_between(0, 0.3, 4).values.back(), 0.3);  // 3 * 0.1 > 0.3 in binary
 }
 
+TEST(LogarithmicTicks, ArePowersOfTenOrTwoAndFiveTimesThem) {
+  EXPECT_THAT(output::logarithmic_ticks(0.5, 2000, 8), ElementsAre(1, 10, 100, 1000));
+  EXPECT_THAT(output::logarithmic_ticks(0.3, 8, 8), ElementsAre(0.5, 1, 2, 5));
+  EXPECT_THAT(output::logarithmic_ticks(1, 10, 8), ElementsAre(1, 10));
+  EXPECT_THAT(output::logarithmic_ticks(2.2, 4, 8).size(), 1U) << "none of them is in there";
+}
+
+TEST(LogarithmicTicks, StayFewAndInside) {
+  for (double high = 1e-12; high < 1e9; high *= 3.3)
+    for (const double decades : {0.2, 1.7, 5.0, 14.0}) {
+      const double low = high / std::pow(10, decades);
+      const auto ticks = output::logarithmic_ticks(low, high, 6);
+      EXPECT_GE(ticks.size(), 1U);
+      EXPECT_LE(ticks.size(), 7U);
+      EXPECT_GE(ticks.front(), low * 0.999);
+      EXPECT_LE(ticks.back(), high * 1.001);
+    }
+}
+
 TEST(TickText, HasTheDecimalsOfTheStep) {
   EXPECT_EQ(output::tick_text(0.5, 0.5), "0.5");
   EXPECT_EQ(output::tick_text(2, 0.5), "2.0");

@@ -1,4 +1,4 @@
-/// A study that takes a moment: specimens of 24 mm with pixels of 1 mm, and two coarse aggregates.
+/// A study that takes a moment: specimens of 24 mm with pixels of 1 mm, two coarse aggregates, and no fine pixels.
 #pragma once
 
 #include "apps/reproduce/figure.hpp"
@@ -13,7 +13,8 @@ inline app::reproduce::Study tiny_study() {
            {"generate.pixel_size", "1 mm"},
            {"generate.d_min", "4 mm"},
            {"generate.d_max", "8 mm"}},
-          {{"generate.pixel_size", "2.5 mm"}}};
+          {{"generate.pixel_size", "2.5 mm"}},
+          {2, 1}};
 }
 
 }  // namespace test

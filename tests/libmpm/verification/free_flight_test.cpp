@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "libmpm/problems/disc_flight.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
 namespace {
@@ -12,54 +13,14 @@ using samples::Method;
 using samples::Moving;
 using samples::Sums;
 
-constexpr double middle = 0.5;  // of the disc [m]
-
-mpm::Scene disc(int cells) {
-  const int pixels = 2 * cells;
-  mpm::Scene scene = samples::soft_body(pixels, pixels, 2 * middle / pixels, 0.2);
-  samples::keep_disc(scene, 0.5 * pixels, 0.5 * pixels, 0.45 * pixels);
-  scene.motion.margin = 0.4;
-  return scene;
-}
-
-/// Flight at 3 and 2 m/s times `flight`, with a spin [1/s].
-template <class Real>
-void throw_it(Moving<Real>& it, double spin, double flight = 1) {
-  it.solver.kick([&](const mpm::PointView& p, double& vx, double& vy) {
-    vx = 3 * flight - spin * (p.y - middle);
-    vy = 2 * flight + spin * (p.x - middle);
-  });
-}
-
-/// Variance of the weights along an axis at a place `x` cells from a node [-].
-double variance(mpm::Shape shape, double x) {
-  const double place = x - std::floor(x);
-  const double d = std::min(place, 1 - place);
-  if (shape == mpm::Shape::linear) return place * (1 - place);
-  const double l = shape == mpm::Shape::bspline ? 0.5 : 0.25;
-  return (d < l ? (d * d + l * l) / (2 * l) : d) - d * d;
-}
-
-/// Angular momentum about the corner of the picture, with that of the affine part of APIC: its gradient acts
-/// on the variance of the weights. Source: Jiang et al. (2015), section 5.3.
-double spin_of(const Moving<double>& it) {
-  const double h = it.plan.cell_size;
-  double sum = 0;
-  for (const auto& p : it.solver.points())
-    sum +=
-        p.mass * (p.x * p.vy - p.y * p.vx + h * h * variance(it.scene.motion.shape, p.x / h) * p.gradient[2] -
-                  h * h * variance(it.scene.motion.shape, p.y / h) * p.gradient[1]);
-  return sum;
-}
-
 // Momentum is kept by every method: weights sum to one both ways, internal forces to nothing. Beside rounding
 // only nodes below 1e-12 of a point's mass lose theirs.
 TEST(FreeFlight, KeepsMomentumAndMass) {
   for (const Method& method : samples::all_methods(0.99)) {
-    mpm::Scene scene = disc(10);
+    mpm::Scene scene = samples::flying_disc(10);
     method.give_to(scene);
     Moving<double> it(scene);
-    throw_it(it, 10);
+    samples::throw_disc(it, 10);
     const Sums before = samples::sums_of(it.solver);
     ASSERT_EQ(it.solver.advance(150).trouble, "") << method.name();
     const Sums after = samples::sums_of(it.solver);
@@ -69,20 +30,13 @@ TEST(FreeFlight, KeepsMomentumAndMass) {
   }
 }
 
-/// Share of the angular momentum of the spin that a turn of 1.2 rad loses.
 double loss(const Method& method, int cells) {
-  mpm::Scene scene = disc(cells);
-  method.give_to(scene);
-  Moving<double> it(scene);
-  throw_it(it, 10);
-  (void)it.solver.advance(1);
-  const Sums first = samples::sums_of(it.solver);
-  const double before = spin_of(it);
-  while (it.solver.time() < 0.12) (void)it.solver.advance(1);
-  const double orbit = middle * first.py - middle * first.px;  // stays, because the momentum does
-  const double share = (before - spin_of(it)) / (before - orbit);
-  if (samples::figures) std::printf("%-22s %d cells: loses %+.3e\n", method.name().c_str(), cells, share);
-  return share;
+  const auto flight = mpm::problems::fly(method, cells);
+  EXPECT_EQ(flight.trouble, "");
+  EXPECT_LT(flight.lost_momentum, 1e-11);
+  if (samples::figures)
+    std::printf("%-22s %d cells: loses %+.3e\n", method.name().c_str(), cells, flight.lost_spin);
+  return flight.lost_spin;
 }
 
 // APIC keeps angular momentum: to rounding with the B-spline, whose gradient is that of the step's own
@@ -113,11 +67,11 @@ TEST(FreeFlight, FlipLosesAngularMomentumWithTheSquareOfTheCell) {
 TEST(FreeFlight, AFullTurnLeavesNoStressBehind) {
   for (const auto shape : samples::all_shapes()) {
     for (const auto transfer : {mpm::Transfer::flip, mpm::Transfer::apic}) {
-      mpm::Scene scene = disc(10);
+      mpm::Scene scene = samples::flying_disc(10);
       scene.motion.shape = shape;
       scene.motion.transfer = transfer;
       Moving<double> it(scene);
-      throw_it(it, 10, 0);
+      samples::throw_disc(it, 10, 0);
       const double volume = samples::sums_of(it.solver).volume;
       mpm::Ledger ledger;
       while (it.solver.time() < 0.63 && ledger.trouble.empty()) ledger = it.solver.advance(10);

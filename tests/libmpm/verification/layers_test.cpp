@@ -2,9 +2,12 @@
 // (Reuss), along them in parallel (Voigt).
 #include <gtest/gtest.h>
 
-#include "tests/libmpm/verification/static_plate.hpp"
+#include "libmpm/problems/plate.hpp"
+#include "tests/libmpm/moving_scenes.hpp"
 
 namespace {
+
+using mpm::problems::Layers;
 
 // The interfaces lie on edges of cells, where linear and GIMP points do not reach over them: what remains is
 // what the slow loading leaves of waves, and with B-splines the smoothing over the interface, which falls
@@ -12,24 +15,32 @@ namespace {
 TEST(Layers, GiveReussAcrossAndVoigtAlong) {
   for (const auto shape : samples::all_shapes()) {
     for (const int pixels : {16, 32}) {
-      for (const bool along : {false, true}) {
-        mpm::Scene scene = samples::plate(pixels);
+      for (const auto layers : {Layers::across, Layers::along}) {
+        mpm::Scene scene = mpm::problems::layered_plate(pixels, layers);
         scene.kinematics = mpm::Kinematics::moving;
         scene.motion.shape = shape;
-        scene.phases[1]->poisson = scene.phases[2]->poisson = 0;
-        if (along)
-          scene.labels.leftCols(pixels / 2).setConstant(2);
-        else
-          scene.labels.topRows(pixels / 2).setConstant(2);
-        const double exact = along ? 1.5e7 : 1 / (0.5 / 1e7 + 0.5 / 2e7);
-        const double error = samples::solve(scene).modulus / exact - 1;
+        const double error = mpm::problems::pull(scene).modulus / mpm::problems::layered_modulus(layers) - 1;
         if (samples::figures)
           std::printf("shape %d, %d pixels, %s: %+.4f\n", static_cast<int>(shape), pixels,
-                      along ? "Voigt" : "Reuss", error);
+                      layers == Layers::along ? "Voigt" : "Reuss", error);
         EXPECT_NEAR(error, 0, pixels == 16 ? 8e-3 : 3e-3);
       }
     }
   }
+}
+
+TEST(Layers, GiveTheSameOnTheLattice) {
+  for (const auto layers : {Layers::across, Layers::along})
+    EXPECT_NEAR(mpm::problems::pull(mpm::problems::layered_plate(32, layers)).modulus /
+                    mpm::problems::layered_modulus(layers),
+                1, 5e-3);
+}
+
+TEST(Layers, AreNoAnswerWithAStepThatIsTooLong) {
+  mpm::Scene scene = mpm::problems::layered_plate(64, Layers::across);
+  EXPECT_EQ(mpm::problems::pull(scene).trouble, "");
+  scene.cfl = 0.9;  // with a damping of 0.6
+  EXPECT_EQ(mpm::problems::pull(scene).trouble, "energy grows without work: the step is too long");
 }
 
 }  // namespace

@@ -1,0 +1,163 @@
+#include "apps/bench/feature_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "apps/reproduce/trial.hpp"
+#include "apps/scene_builder.hpp"
+#include "apps/specimen_source.hpp"
+#include "libmpm/simulate.hpp"
+
+namespace app::bench {
+namespace {
+
+using mpm::kernels::Check;
+
+constexpr double unbreakable = mpm::Phase::unbreakable;
+
+/// The paper's specimen, pulled so fast that some hundred steps take it to where points fail.
+mpm::Scene concrete(int pixels, mpm::Kinematics kinematics) {
+  const double pixel = 150.0 / pixels;  // [mm]
+  const Settings settings =
+      reproduce::settings_of({"tension", {{"generate.pixel_size", std::to_string(pixel) + " mm"}}, false});
+  specimen::Specimen specimen = prepare_specimen(settings).specimen;
+  static_cast<void>(crop_to_cells(specimen, settings.scene.points_per_cell));
+  mpm::Scene scene = build_scene(specimen, settings);
+  scene.threads = 1;
+  scene.kinematics = kinematics;
+  scene.loading.velocity = 1;
+  scene.loading.ramp_time = 20e-6;
+  scene.loading.stop_strain = kinematics == mpm::Kinematics::moving ? 3e-4 : 6e-4;
+  return scene;
+}
+
+mpm::Scene with_limits(mpm::Scene scene, bool can_crack) {
+  for (auto& phase : scene.phases)
+    if (phase) {
+      phase->cohesion = unbreakable;
+      if (!can_crack) phase->tensile_scale = unbreakable;
+    }
+  return scene;
+}
+
+void check_all(mpm::Plan& plan) {
+  plan.features.check = plan.moving.features.check = Check::tension_and_shear;
+  plan.moving.optional.tension = plan.moving.optional.crush = true;
+}
+
+/// Features that both kinematics may leave out.
+void add_common(std::vector<FeatureCase>& cases, int pixels, mpm::Kinematics kinematics) {
+  const std::string name = kinematics == mpm::Kinematics::moving ? "moving points" : "small strain";
+  const auto whole = [=] { return concrete(pixels, kinematics); };
+  const auto cracking = [=] { return with_limits(whole(), true); };
+  const auto elastic = [=] { return with_limits(whole(), false); };
+  cases.push_back({"tension test", name, "nothing can fail", elastic,
+                   [](mpm::Plan& plan) {
+                     plan.features.check = plan.moving.features.check = Check::tension;
+                     plan.moving.optional.tension = true;
+                   },
+                   1e-9});
+  cases.push_back({"shear test", name, "nothing can fail in shear", cracking, check_all, 1e-9});
+  cases.push_back({"crack closure", name, "nothing can crack", elastic,
+                   [](mpm::Plan& plan) {
+                     check_all(plan);
+                     plan.features.crack_closure = plan.moving.features.crack_closure = true;
+                     plan.moving.optional.cracked = true;
+                   },
+                   1e-9});
+  cases.push_back({"local damping", name, "nothing is damped", whole,
+                   [](mpm::Plan& plan) { plan.features.damping = plan.moving.features.damping = true; },
+                   1e-9});
+  cases.push_back({"energies at every step", name, "a row of the history holds many steps", whole,
+                   [](mpm::Plan& plan) { plan.steps_per_row = 1; }, 1e-9});
+}
+
+void add_moving(std::vector<FeatureCase>& cases, int pixels) {
+  const auto whole = [=] { return concrete(pixels, mpm::Kinematics::moving); };
+  cases.push_back({"deformation gradient", "moving points", "nobody asked for it", whole,
+                   [](mpm::Plan& plan) { plan.moving.optional.deformation = true; }, 1e-9});
+  cases.push_back({"blend with PIC", "moving points", "all is FLIP", whole,
+                   [](mpm::Plan& plan) { plan.moving.features.transfer = mpm::moving::Return::blend; },
+                   1e-6});
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double time_of(const mpm::Result& result) {
+  return result.wall_time / (static_cast<double>(result.points) * static_cast<double>(result.steps));
+}
+
+/// Largest difference of the stress at rows of one time, over the peak. The rows at rest say nothing.
+double difference_of(const mpm::Result& lean, const mpm::Result& full) {
+  double largest = 0;
+  std::size_t at = 1;
+  for (std::size_t i = 1; i < lean.history.size(); ++i) {
+    const mpm::HistoryRow& row = lean.history[i];
+    while (at < full.history.size() && full.history[at].time < row.time) ++at;
+    if (at == full.history.size() || full.history[at].time != row.time) return 1;  // it took other steps
+    largest = std::max(largest, std::abs(full.history[at].stress - row.stress));
+  }
+  return largest / lean.peak_stress;
+}
+
+/// Bit by bit, so that "did not fail" equals itself; an elastic run has no maps.
+bool same_maps(const mpm::Result& lean, const mpm::Result& full) {
+  if (lean.tension_failures != full.tension_failures || lean.shear_failures != full.shear_failures)
+    return false;
+  if (lean.failure_strain.size() != full.failure_strain.size()) return lean.tension_failures == 0;
+  return std::memcmp(lean.failure_mode.data(), full.failure_mode.data(),
+                     static_cast<std::size_t>(lean.failure_mode.size())) == 0;
+}
+
+FeatureCost measure(const FeatureCase& it, int repeats) {
+  const mpm::Scene scene = it.make();
+  const mpm::Plan lean_plan = mpm::plan(scene);
+  mpm::Plan full_plan = lean_plan;
+  it.add(full_plan);
+  FeatureCost cost{it.feature, it.kinematics, it.scene, 0, 0, 0, true, it.tolerance};
+  std::vector<double> without, with;
+  for (int i = 0; i < repeats; ++i) {
+    const mpm::Result lean = mpm::simulate(scene, lean_plan);
+    const mpm::Result full = mpm::simulate(scene, full_plan);
+    without.push_back(time_of(lean));
+    with.push_back(time_of(full));
+    if (i > 0) continue;
+    cost.difference = difference_of(lean, full);
+    cost.same_failures = same_maps(lean, full);
+  }
+  cost.time_without = median(without);
+  cost.time_with = median(with);
+  return cost;
+}
+
+}  // namespace
+
+std::vector<FeatureCase> all_features(int pixels) {
+  std::vector<FeatureCase> cases;
+  add_common(cases, pixels, mpm::Kinematics::small_strain);
+  cases.push_back({"second elastic constant", "small strain", "all phases share Poisson's ratio",
+                   [=] { return concrete(pixels, mpm::Kinematics::small_strain); },
+                   [](mpm::Plan& plan) { plan.features.one_poisson_ratio = false; }, 1e-6});
+  add_common(cases, pixels, mpm::Kinematics::moving);
+  add_moving(cases, pixels);
+  return cases;
+}
+
+std::vector<FeatureCost> measure_features(const std::vector<FeatureCase>& cases, int repeats,
+                                          const std::function<void(std::size_t, std::size_t)>& progress,
+                                          const std::function<bool()>& go_on) {
+  std::vector<FeatureCost> costs;
+  for (const FeatureCase& it : cases) {
+    if (go_on && !go_on()) break;
+    costs.push_back(measure(it, repeats));
+    if (progress) progress(costs.size(), cases.size());
+  }
+  return costs;
+}
+
+}  // namespace app::bench

@@ -1,0 +1,241 @@
+#include "apps/bench/known_problems.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "libmpm/problems/bar_vibration.hpp"
+#include "libmpm/problems/colliding_discs.hpp"
+#include "libmpm/problems/disc_flight.hpp"
+#include "libmpm/problems/manufactured.hpp"
+#include "libmpm/problems/plate.hpp"
+#include "libmpm/problems/uniform_flight.hpp"
+
+namespace app::bench {
+namespace {
+
+namespace known = mpm::problems;
+using mpm::Precision;
+using mpm::Scheme;
+using mpm::Shape;
+using mpm::Transfer;
+
+Measured measured(double error, const known::Cost& cost, std::string trouble) {
+  return {error, cost.wall_time, cost.point_updates, std::move(trouble)};
+}
+
+/// A method of moving points and its Courant number.
+struct Way {
+  known::Method method;
+  double cfl = 0.5;
+
+  [[nodiscard]] std::string name() const {
+    return method.name() + (cfl == 0.5 ? "" : cfl > 0.5 ? " CFL 0.9" : " CFL 0.25");
+  }
+};
+
+/// Shapes, schemes, transfers, precision and the step, each varied alone from GIMP MUSL FLIP.
+std::vector<Way> ways(bool with_usf = true) {
+  std::vector<Way> all{{{Shape::gimp}}, {{Shape::linear}}, {{Shape::bspline}}};
+  if (with_usf) all.push_back({{Shape::gimp, Scheme::usf}});
+  all.push_back({{Shape::gimp, Scheme::usl}});
+  all.push_back({{Shape::gimp, Scheme::musl, Transfer::apic}});
+  all.push_back({{Shape::bspline, Scheme::musl, Transfer::apic}});
+  all.push_back({{Shape::gimp, Scheme::musl, Transfer::flip, 0}});
+  all.push_back({{Shape::gimp, Scheme::musl, Transfer::flip, 1, Precision::single}});
+  all.push_back({{Shape::gimp}, 0.25});
+  return all;
+}
+
+/// @param solve  a way and a number of cells into what was measured.
+template <class Solve>
+std::vector<Method> over_cells(const std::vector<Way>& ways, const std::vector<int>& cells,
+                               const Solve& solve) {
+  std::vector<Method> methods;
+  for (const Way& way : ways) {
+    Method method{way.name(), "cell", "", {}, {}};
+    for (const int n : cells) {
+      method.sizes.push_back(1.0 / n);
+      method.runs.emplace_back([=] { return solve(way, n); });
+    }
+    methods.push_back(std::move(method));
+  }
+  return methods;
+}
+
+/// How a plate is pulled.
+struct PlateWay {
+  std::string name;
+  mpm::Kinematics kinematics = mpm::Kinematics::small_strain;
+  Shape shape = Shape::gimp;
+  Precision precision = Precision::double_;
+  double cfl = 0.5;
+};
+
+std::vector<PlateWay> plate_ways() {
+  using mpm::Kinematics;
+  return {{"small strain"},
+          {"small strain single", Kinematics::small_strain, Shape::gimp, Precision::single},
+          {"small strain CFL 0.9", Kinematics::small_strain, Shape::gimp, Precision::double_, 0.9},
+          {"moving linear", Kinematics::moving, Shape::linear},
+          {"moving GIMP", Kinematics::moving, Shape::gimp},
+          {"moving B-spline", Kinematics::moving, Shape::bspline}};
+}
+
+/// @param scene_of  a scene for a number of pixels; @param error_of  its error from the plate that was
+/// pulled.
+template <class SceneOf, class ErrorOf>
+std::vector<Method> over_pixels(const std::vector<int>& lattice, const std::vector<int>& moving,
+                                const SceneOf& scene_of, const ErrorOf& error_of) {
+  std::vector<Method> methods;
+  for (const PlateWay& way : plate_ways()) {
+    Method method{way.name, "pixel", "", {}, {}};
+    for (const int pixels : way.kinematics == mpm::Kinematics::moving ? moving : lattice) {
+      method.sizes.push_back(1.0 / pixels);
+      method.runs.emplace_back([=] {
+        mpm::Scene scene = scene_of(pixels);
+        scene.threads = 1;
+        scene.kinematics = way.kinematics;
+        scene.motion.shape = way.shape;
+        scene.precision = way.precision;
+        scene.cfl = way.cfl;
+        const known::StaticPlate plate = known::pull(scene);
+        return measured(error_of(plate, pixels), plate.cost, plate.trouble);
+      });
+    }
+    methods.push_back(std::move(method));
+  }
+  return methods;
+}
+
+constexpr double radius = 0.05;  // of disc and hole, in widths of the plate: what that adds is below 0.5 %
+
+}  // namespace
+
+Problem bar_problem() {
+  return {"bar",
+          "Axial vibration of a bar over ten periods",
+          "distance from the solution in the plane of displacement and velocity, over the amplitude",
+          "v = v₀ sin(πx / 2L) cos ωt",
+          "Phase error and dissipation together: a bar that lags or fades away is off by up to 1.",
+          {},
+          over_cells(ways(), {8, 16, 32, 64}, [](const Way& way, int cells) {
+            const known::Vibration it = known::vibrate_bar(way.method, cells, way.cfl);
+            return measured(it.error, it.cost, it.trouble);
+          })};
+}
+
+Problem manufactured_problem() {
+  return {"manufactured",
+          "Large deformation of a square, made up beforehand",
+          "root of the mean square of the displacement's error, the largest in time, over its amplitude",
+          "u = A sin 2πX sin cπt with the body force that it needs, A = 0.05 of the width",
+          "Points cross up to six cells: linear functions stop to converge, GIMP and B-splines go on. USF is "
+          "left "
+          "out, because the body force comes as a kick before the step.",
+          {},
+          over_cells(ways(false), {8, 16, 32, 64}, [](const Way& way, int cells) {
+            const double cfl = way.cfl == 0.5 ? 0.4 : way.cfl;
+            const known::Deformation it = known::deform_as_made_up(way.method, cells, 0.05, cfl);
+            return measured(it.error, it.cost, it.trouble);
+          })};
+}
+
+Problem inclusion_problem() {
+  return {
+      "inclusion",
+      "A disc twice as stiff in a plate, drawn as pixels",
+      "root of the mean square of the stress error within half the radius, over the stress of the plate",
+      "Goodier (1933): the stress inside is uniform",
+      "The stair-shaped boundary, against the pixel. The plate is twenty radii wide, which leaves 0.1 to 0.2 "
+      "%.",
+      {},
+      over_pixels(
+          {80, 160, 320}, {80, 160},
+          [](int pixels) {
+            mpm::Scene scene = known::plate(pixels);
+            known::draw_disc(scene, radius, 2);
+            scene.local_damping = 0.3;
+            return scene;
+          },
+          [](const known::StaticPlate& plate, int) { return known::inclusion_errors(plate, radius).inner; })};
+}
+
+Problem hole_problem() {
+  return {
+      "hole",
+      "A round hole in a plate, drawn as pixels",
+      "root of the mean square of the stress error beside the hole, from 1.25 to 3 radii, over the stress of "
+      "the plate",
+      "Kirsch (1898): three times the stress at the edge",
+      "Stress concentration from pixels. The plate is twenty radii wide, which leaves 0.5 %.",
+      {},
+      over_pixels(
+          {80, 160, 320}, {80, 160},
+          [](int pixels) {
+            mpm::Scene scene = known::plate(pixels);
+            known::draw_disc(scene, radius, 0);
+            return scene;
+          },
+          [](const known::StaticPlate& plate, int pixels) {
+            return known::hole_error(plate, radius, 1.0 / pixels);
+          })};
+}
+
+Problem layers_problem() {
+  return {
+      "layers",
+      "A strip of two layers, pulled across them",
+      "error of the modulus",
+      "Reuss: the layers in series",
+      "Interfaces on the edges of cells: what remains is the waves of the loading, and with B-splines the "
+      "smoothing over the interface.",
+      {},
+      over_pixels(
+          {16, 32, 64, 128}, {16, 32, 64},
+          [](int pixels) { return known::layered_plate(pixels, known::Layers::across); },
+          [](const known::StaticPlate& plate, int) {
+            return plate.modulus / known::layered_modulus(known::Layers::across) - 1;
+          })};
+}
+
+Problem flight_problem() {
+  return {"flight",
+          "Constant strain: none, on irregular points that cross cells",
+          "largest sum of a point's stresses, over Young's modulus",
+          "nothing may be strained in uniform flight",
+          "The patch test: rounding alone, so that it grows with the number of steps.",
+          {},
+          over_cells(ways(), {6, 12, 24}, [](const Way& way, int cells) {
+            known::Patch it = known::fly_uniformly(way.method, cells, 25 * cells);
+            return measured(it.stress, it.cost, it.trouble);
+          })};
+}
+
+Problem spin_problem() {
+  return {"spin",
+          "A disc in free flight that turns by 1.2 rad",
+          "share of its angular momentum that is lost",
+          "angular momentum stays",
+          "APIC keeps it, to rounding with B-splines; FLIP loses it with the square of the cell, PIC in each "
+          "step.",
+          {},
+          over_cells(ways(), {8, 16, 32, 64}, [](const Way& way, int cells) {
+            const known::Flight it = known::fly(way.method, cells, way.cfl);
+            return measured(it.lost_spin, it.cost, it.trouble);
+          })};
+}
+
+Problem collision_problem() {
+  return {"collision",
+          "Two elastic discs that meet and part",
+          "share of the energy that is lost or made by the end",
+          "total energy stays",
+          "Contact through the grid, and what crossing cells does to the energy.",
+          {},
+          over_cells(ways(), {20, 40, 80}, [](const Way& way, int cells) {
+            const known::Collision it = known::collide(way.method, cells, way.cfl);
+            return measured(it.kept_energy - 1, it.cost, it.trouble);
+          })};
+}
+
+}  // namespace app::bench

@@ -1,0 +1,129 @@
+#include "apps/bench_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "apps/bench/error_report.hpp"
+#include "apps/bench/feature_study.hpp"
+#include "apps/bench/problem_table.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/run_location.hpp"
+#include "apps/suggestion.hpp"
+#include "apps/terminal_line.hpp"
+#include "libmpm/replace_file.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer =
+    "error      error against run time: problems with a known answer, and the paper's tension test, solved "
+    "in "
+    "many ways;\n"
+    "           error_vs_time.html, error.csv, a chart a problem and the cheapest way to 5, 1 and 0.1 %\n"
+    "features   the cost of every feature that a scene can leave out, with and without, and whether the "
+    "results "
+    "agree;\n"
+    "           features.html and features.csv\n"
+    "Example: two problems, in less than a minute\n"
+    "  mesopix bench error --problem bar --problem inclusion -o runs/error";
+
+const std::vector<std::string>& benches() {
+  static const std::vector<std::string> names{"error", "features"};
+  return names;
+}
+
+/// One line on the terminal that tells how far the runs are.
+class CountLine {
+ public:
+  explicit CountLine(Console& console) : line_(console.err, console.err_is_terminal && !console.quiet) {}
+
+  void show(std::size_t done, std::size_t all) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    line_.show(fmt::format("{} of {} runs   {:.0f} s", done, all, elapsed.count()));
+  }
+
+ private:
+  TerminalLine line_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+BenchCommand::BenchCommand(CLI::App& program)
+    : Command(program, "bench", "Measure error against run time, and what features cost", footer) {
+  options().add_option("WHAT", what_, listed(benches()))->type_name("");
+  options()
+      .add_option("--problem", problems_, "error: problem to solve, e.g. bar; may be given again [all]")
+      ->type_name("NAME");
+  options()
+      .add_option("-o,--output", output_, "folder [runs/bench-WHAT, runs/bench-WHAT-2, ...]")
+      ->type_name("DIR");
+  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+Exit BenchCommand::run(Console& console) {
+  console.quiet = quiet_;
+  if (what_.empty())
+    throw Rejected(Exit::usage,
+                   complaint("WHAT", "missing", "must be " + listed(benches()), "mesopix bench error"));
+  if (std::find(benches().begin(), benches().end(), what_) == benches().end())
+    throw Rejected(Exit::usage,
+                   complaint("WHAT", what_, "must be " + listed(benches()), did_you_mean(what_, benches())));
+  if (what_ != "error" && !problems_.empty())
+    throw Rejected(Exit::usage,
+                   complaint("--problem", "given with " + what_, "belongs to mesopix bench error"));
+  return what_ == "error" ? run_error(console) : run_features(console);
+}
+
+Exit BenchCommand::run_error(Console& console) const {
+  const std::vector<bench::Problem> problems = bench::select_problems(problems_);
+  const FreshFolder folder(make_run_folder(output_, "bench-error", overwrite_));
+  const InterruptGuard guard;
+  const auto results = [&] {
+    CountLine line(console);
+    return bench::study_errors(problems, {[&](std::size_t done, std::size_t all) { line.show(done, all); },
+                                          [&] { return !guard.interrupted(); }});
+  }();
+  mpm::replace_file((folder.path() / "error.csv").string(), bench::error_csv(results));
+  mpm::replace_file((folder.path() / "error_vs_time.html").string(), bench::error_html(results));
+  for (const bench::ProblemResult& result : results)
+    mpm::replace_file((folder.path() / (result.problem.name + ".png")).string(), bench::error_png(result));
+  if (!console.quiet) console.out << bench::error_text(results);
+  console.say("wrote " + folder.path().string());
+  if (results.size() == problems.size()) return Exit::ok;
+  console.say("interrupted; the problems that were done are kept");
+  return Exit::interrupted;
+}
+
+Exit BenchCommand::run_features(Console& console) const {
+  const FreshFolder folder(make_run_folder(output_, "bench-features", overwrite_));
+  const InterruptGuard guard;
+  const std::vector<bench::FeatureCase> cases = bench::all_features();
+  const std::vector<bench::FeatureCost> costs = [&] {
+    CountLine line(console);
+    return bench::measure_features(
+        cases, 5, [&](std::size_t done, std::size_t all) { line.show(done, all); },
+        [&] { return !guard.interrupted(); });
+  }();
+  mpm::replace_file((folder.path() / "features.csv").string(), bench::feature_csv(costs));
+  mpm::replace_file((folder.path() / "features.html").string(), bench::feature_html(costs));
+  if (!console.quiet) console.out << bench::feature_text(costs);
+  console.say("wrote " + folder.path().string());
+  if (costs.size() < cases.size()) {
+    console.say("interrupted; what was measured is kept");
+    return Exit::interrupted;
+  }
+  const bool agree = std::all_of(costs.begin(), costs.end(), [](const auto& cost) { return cost.agrees(); });
+  if (!agree)
+    throw Rejected(Exit::internal,
+                   complaint("bench features", "a feature that was left out changed the results", ""));
+  return Exit::ok;
+}
+
+}  // namespace app

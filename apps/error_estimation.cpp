@@ -1,0 +1,215 @@
+#include "apps/error_estimation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "apps/output/text.hpp"
+#include "libmpm/plan.hpp"
+
+namespace app {
+namespace {
+
+using output::ErrorEstimate;
+using output::ErrorSource;
+
+constexpr double margin = 1.25;    ///< for an order that is not quite the first
+constexpr double past_peak = 1.3;  ///< times the strain at the peak: where a second run may end
+
+/// Ends once the peak is passed for certain.
+mpm::Scene up_to_the_peak(mpm::Scene scene, double peak_strain) {
+  scene.loading.stop_strain = std::min(scene.loading.stop_strain, past_peak * peak_strain);
+  return scene;
+}
+
+double change(double value, double other) { return value == 0 ? 0 : std::abs(other / value - 1); }
+
+/// @param share  of the change that is the error of `base`, before the margin.
+ErrorSource source_of(const std::string& name, const std::string& compared, double share,
+                      const mpm::Result& base, const mpm::Result& other) {
+  return {name,
+          compared,
+          other.peak_stress,
+          other.peak_strain,
+          margin * share * change(base.peak_stress, other.peak_stress),
+          margin * share * change(base.peak_strain, other.peak_strain),
+          other.wall_time};
+}
+
+mpm::Scene slower(mpm::Scene scene) {
+  scene.loading.velocity *= 0.5;
+  return scene;
+}
+mpm::Scene with_half_the_step(mpm::Scene scene) {
+  scene.cfl *= 0.5;
+  return scene;
+}
+mpm::Scene in_other_precision(mpm::Scene scene) {
+  scene.precision =
+      scene.precision == mpm::Precision::single ? mpm::Precision::double_ : mpm::Precision::single;
+  return scene;
+}
+
+std::string velocity_text(const mpm::Scene& scene) {
+  return output::trimmed(scene.loading.velocity, 4) + " m/s";
+}
+std::string cfl_text(const mpm::Scene& scene) { return "CFL " + output::trimmed(scene.cfl, 4); }
+std::string precision_text(const mpm::Scene& scene) {
+  return scene.precision == mpm::Precision::single ? "single" : "double";
+}
+std::string pixel_text(const mpm::Scene& scene) { return output::trimmed(1e3 * scene.pixel_size, 4) + " mm"; }
+
+/// The label that most of four pixels have.
+std::uint8_t majority(const std::array<std::uint8_t, 4>& labels) {
+  std::uint8_t best = labels[0];
+  std::ptrdiff_t most = 0;
+  for (const std::uint8_t label : labels) {
+    const auto count = std::count(labels.begin(), labels.end(), label);
+    if (count <= most) continue;
+    most = count;
+    best = label;
+  }
+  return best;
+}
+
+/// Whether pixels twice as large leave cells to compute with.
+bool can_coarsen(const mpm::Scene& scene) {
+  const int least = 8 * scene.points_per_cell;
+  return scene.labels.rows() >= least && scene.labels.cols() >= least;
+}
+
+/// A run on the way to a tolerance.
+struct Candidate {
+  mpm::Scene scene;
+  mpm::Result result;
+};
+
+/// Runs that lead to a tolerance, and what they took.
+class Search {
+ public:
+  Search(const mpm::Scene& scene, const Solve& solve) : scene_(scene), solve_(solve) {}
+
+  Candidate take(const mpm::Scene& scene) {
+    Candidate candidate{scene, solve_(peak_strain_ > 0 ? up_to_the_peak(scene, 1.2 * peak_strain_) : scene)};
+    wall_time_ += candidate.result.wall_time;
+    peak_strain_ = candidate.result.peak_strain;
+    return candidate;
+  }
+  [[nodiscard]] double wall_time() const { return wall_time_; }
+
+  /// Fast, but slow enough for eight transits of the wave.
+  [[nodiscard]] mpm::Scene fastest() const {
+    mpm::Scene scene = scene_;
+    scene.loading.velocity = scene.loading.stop_strain * mpm::plan(scene).wave_speed / 8;
+    scene.cfl = 0.9;
+    scene.precision = mpm::Precision::single;
+    return scene;
+  }
+
+ private:
+  const mpm::Scene& scene_;
+  const Solve& solve_;
+  double peak_strain_ = 0, wall_time_ = 0;
+};
+
+/// A choice that may be refined, and how its error follows from what that changes.
+struct Refinement {
+  std::string name;
+  mpm::Scene (*refine)(mpm::Scene);
+  std::string (*text)(const mpm::Scene&);
+  double before, after;  ///< share of the change that is the error of the coarser run, and of the finer one
+};
+
+/// The better of two, and what is left of the error in it.
+struct Settled {
+  Candidate candidate;
+  ErrorSource source;
+};
+
+/// Keeps what there is where a finer run changes it by less than `limit`, else the finer one.
+Settled settle(Search& search, Candidate coarse, const Refinement& by, double limit) {
+  Candidate fine = search.take(by.refine(coarse.scene));
+  const ErrorSource source = source_of(by.name, by.text(fine.scene), by.before, coarse.result, fine.result);
+  if (source.stress_error <= limit) return {std::move(coarse), source};
+  const ErrorSource rest = source_of(by.name, by.text(coarse.scene), by.after, fine.result, coarse.result);
+  return {std::move(fine), rest};
+}
+
+constexpr int most_halvings = 7;  ///< of the loading rate
+
+}  // namespace
+
+output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result& base, const Solve& solve) {
+  const mpm::Scene shorter = up_to_the_peak(scene, base.peak_strain);
+  ErrorEstimate estimate;
+  const auto add = [&](const std::string& name, const mpm::Scene& other, const std::string& compared,
+                       double share) {
+    estimate.sources.push_back(source_of(name, compared, share, base, solve(other)));
+  };
+  const mpm::Scene slow = slower(shorter);
+  add("loading rate", slow, velocity_text(slow), 2);
+  const mpm::Scene short_steps = with_half_the_step(shorter);
+  add("time step", short_steps, cfl_text(short_steps), 2);
+  const mpm::Scene other = in_other_precision(shorter);
+  add("precision", other, precision_text(other), 1);
+  if (can_coarsen(scene)) {
+    const mpm::Scene coarse = coarsened(shorter);
+    add("pixel size", coarse, pixel_text(coarse), 1);
+  }
+  return estimate;
+}
+
+mpm::Scene coarsened(const mpm::Scene& scene) {
+  mpm::Scene coarse = scene;
+  const auto whole = [&](Eigen::Index pixels) {
+    return pixels / (2 * scene.points_per_cell) * scene.points_per_cell;
+  };
+  coarse.pixel_size = 2 * scene.pixel_size;
+  coarse.labels.resize(whole(scene.labels.rows()), whole(scene.labels.cols()));
+  // Extra points are counted from below: what is cut off is on top.
+  const Eigen::Index cut = scene.labels.rows() - 2 * coarse.labels.rows();
+  for (Eigen::Index row = 0; row < coarse.labels.rows(); ++row)
+    for (Eigen::Index col = 0; col < coarse.labels.cols(); ++col) {
+      const auto fine = scene.labels.block<2, 2>(cut + 2 * row, 2 * col);
+      coarse.labels(row, col) = majority({fine(0, 0), fine(0, 1), fine(1, 0), fine(1, 1)});
+    }
+  std::erase_if(coarse.extra_points, [&](const mpm::ExtraPoint& point) {
+    return point.x >= coarse.width() || point.y >= coarse.height();
+  });
+  return coarse;
+}
+
+Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve) {
+  Search search(scene, solve);
+  Candidate candidate = search.take(search.fastest());
+  Tolerated found;
+  for (int halvings = 0; halvings < most_halvings && !found.met; ++halvings) {
+    Candidate slow = search.take(slower(candidate.scene));
+    const std::string before = velocity_text(candidate.scene);
+    const ErrorSource rate = source_of("loading rate", before, 1, slow.result, candidate.result);
+    candidate = std::move(slow);
+    found.estimate.sources = {rate};
+    if (rate.stress_error > 0.5 * tolerance) continue;
+    Settled step = settle(search, std::move(candidate), {"time step", with_half_the_step, cfl_text, 2, 1},
+                          0.25 * tolerance);
+    candidate = std::move(step.candidate);
+    found.estimate.sources.push_back(step.source);
+    if (candidate.scene.precision == mpm::Precision::single) {
+      Settled precision = settle(search, std::move(candidate),
+                                 {"precision", in_other_precision, precision_text, 1, 0}, 0.25 * tolerance);
+      candidate = std::move(precision.candidate);
+      found.estimate.sources.push_back(precision.source);
+    }
+    found.met = found.estimate.stress_error() <= tolerance;
+  }
+  found.scene = scene;
+  found.scene.loading.velocity = candidate.scene.loading.velocity;
+  found.scene.cfl = candidate.scene.cfl;
+  found.scene.precision = candidate.scene.precision;
+  found.wall_time = search.wall_time();
+  return found;
+}
+
+}  // namespace app

@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "apps/program.hpp"
+#include "tests/specimen/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using app::Exit;
+using testing::HasSubstr;
+
+/// Runs the program in a folder of its own.
+class BenchCommand : public testing::Test {
+ protected:
+  void SetUp() override { fs::current_path(folder_ / ""); }
+  void TearDown() override { fs::current_path(before_); }
+
+  Exit run(std::vector<std::string> arguments) {
+    out_.str("");
+    err_.str("");
+    arguments.insert(arguments.begin(), "bench");
+    app::Console console{out_, err_, false, false, {}};
+    return app::run_program(arguments, console);
+  }
+
+  void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) {
+    EXPECT_EQ(run(arguments), Exit::usage) << err_.str();
+    EXPECT_EQ(err_.str(), "mesopix: " + message + "\n");
+    EXPECT_FALSE(fs::exists("runs"));
+  }
+
+  std::ostringstream out_;
+  std::ostringstream err_;
+
+ private:
+  fs::path before_ = fs::current_path();
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(BenchCommand, WritesErrorsAgainstRunTime) {
+  ASSERT_EQ(run({"error", "--problem", "flight"}), Exit::ok) << err_.str();
+  EXPECT_THAT(out_.str(), HasSubstr("flight            5 %   "));
+  EXPECT_EQ(err_.str(), "wrote runs/bench-error\n");
+  const std::string csv = test::read_text("runs/bench-error/error.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 10 * 3);
+  EXPECT_THAT(test::read_text("runs/bench-error/error_vs_time.html"),
+              HasSubstr("<h1>Error against run time</h1>"));
+  EXPECT_EQ(test::read_text("runs/bench-error/flight.png").substr(1, 3), "PNG");
+  ASSERT_EQ(run({"error", "--problem", "flight", "-q", "--overwrite", "-o", "runs/bench-error"}), Exit::ok);
+  EXPECT_EQ(out_.str() + err_.str(), "");
+}
+
+TEST_F(BenchCommand, RefusesWhatItDoesNotKnow) {
+  expect_refusal({}, "WHAT: missing; must be error or features; mesopix bench error");
+  expect_refusal({"errors"}, "WHAT: errors; must be error or features; did you mean error?");
+  expect_refusal(
+      {"error", "--problem", "bars"},
+      "--problem: bars; must be tension, modulus, bar, manufactured, inclusion, hole, layers, spin, "
+      "collision or flight; did you mean bar?");
+  expect_refusal({"features", "--problem", "bar"},
+                 "--problem: given with features; belongs to mesopix bench error");
+  expect_refusal({"error", "--cases", "bar"}, "--cases: unknown option; mesopix bench --help lists them");
+}
+
+}  // namespace

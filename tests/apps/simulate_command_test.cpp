@@ -1,0 +1,103 @@
+#include "apps/simulate_command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "apps/program.hpp"
+#include "tests/specimen/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using app::Exit;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Runs the program in a folder of its own that holds a small scene.
+class SimulateCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::current_path(folder_ / "");
+    test::write_text("scene.toml",
+                     "[generate]\nwidth = \"32 mm\"\nheight = \"32 mm\"\npixel_size = \"1 mm\"\n"
+                     "fraction = 0.3\nd_min = \"4 mm\"\nd_max = \"8 mm\"\n");
+  }
+  void TearDown() override { fs::current_path(before_); }
+
+  Exit run(std::vector<std::string> arguments) {
+    out_.str("");
+    err_.str("");
+    arguments.insert(arguments.begin(), "simulate");
+    app::Console console{out_, err_, false, false, {}};
+    return app::run_program(arguments, console);
+  }
+
+  void expect_refusal(const std::vector<std::string>& arguments, Exit code, const std::string& message) {
+    EXPECT_EQ(run(arguments), code) << err_.str();
+    EXPECT_EQ(err_.str(), "mesopix: " + message + "\n");
+    EXPECT_FALSE(fs::exists("runs"));
+  }
+
+  std::ostringstream out_;
+  std::ostringstream err_;
+
+ private:
+  fs::path before_ = fs::current_path();
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(SimulateCommand, EstimatesTheErrorOfItsPeak) {
+  ASSERT_EQ(run({"scene.toml", "--estimate-error", "-o", "run"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(), HasSubstr("the peak stress may be wrong by "));
+  EXPECT_THAT(err_.str(), HasSubstr("(loading rate "));
+  const json figures = json::parse(test::read_text("run/summary.json"));
+  const json& estimate = figures["error_estimate"];
+  ASSERT_EQ(estimate["sources"].size(), 4U);
+  double sum = 0;
+  for (const json& source : estimate["sources"]) {
+    sum += source["peak_stress_error"].get<double>();
+    EXPECT_GT(source["peak_stress_Pa"].get<double>(), 0.5 * figures["peak_stress_Pa"].get<double>());
+    EXPECT_GT(source["wall_s"].get<double>(), 0);
+  }
+  EXPECT_DOUBLE_EQ(estimate["peak_stress_error"].get<double>(), sum);
+  const std::string page = test::read_text("run/report.html");
+  EXPECT_THAT(page, HasSubstr("<h2>How wrong the peak may be</h2>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">pixel size</th><td>2 mm</td>"));
+}
+
+TEST_F(SimulateCommand, LeavesTheEstimateOutWhereNoneWasAskedFor) {
+  ASSERT_EQ(run({"scene.toml", "-o", "run"}), Exit::ok) << err_.str();
+  EXPECT_FALSE(json::parse(test::read_text("run/summary.json")).contains("error_estimate"));
+  EXPECT_THAT(test::read_text("run/report.html"), Not(HasSubstr("How wrong")));
+}
+
+TEST_F(SimulateCommand, ChoosesWhatAToleranceAsksForAndWritesItDown) {
+  ASSERT_EQ(run({"scene.toml", "--tolerance", "10 %", "-o", "run"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(), HasSubstr("a tolerance of 10 % is met at "));
+  const json figures = json::parse(test::read_text("run/summary.json"));
+  EXPECT_LE(figures["error_estimate"]["peak_stress_error"].get<double>(), 0.1);
+  EXPECT_EQ(figures["precision"], "single");
+  // The scene that was written is the one that was solved.
+  ASSERT_EQ(run({"run/scene.toml", "-o", "again"}), Exit::ok) << err_.str();
+  EXPECT_EQ(test::read_text("run/curve.csv"), test::read_text("again/curve.csv"));
+}
+
+TEST_F(SimulateCommand, RefusesWhatDoesNotGoTogether) {
+  expect_refusal({"scene.toml", "--tolerance", "1"}, Exit::usage, "--tolerance: 1; must lie in (0, 1)");
+  expect_refusal({"scene.toml", "--tolerance", "1 %", "--estimate-error"}, Exit::usage,
+                 "--tolerance: given with --estimate-error; give one of the two");
+  expect_refusal({"scene.toml", "--explain", "--estimate-error"}, Exit::usage,
+                 "--estimate-error: given with --explain; give one of the two");
+  expect_refusal({"scene.toml", "--print-scene", "--tolerance", "1 %"}, Exit::usage,
+                 "--tolerance: given with --print-scene; give one of the two");
+  expect_refusal({"scene.toml", "--estimate-error", "--kinematics", "moving", "--direction", "none",
+                  "--duration", "1 us", "--initial-velocity-y", "-1 m/s"},
+                 Exit::usage,
+                 "--estimate-error: there are no platens; needs a test in tension or compression");
+}
+
+}  // namespace
