@@ -25,7 +25,6 @@ struct Way {
 
 // Two bodies meet when points of both reach a node: at most two cells apart with linear shapes, two and a
 // half with GIMP and three with B-splines; the gap is that less half a cell, which is a pixel.
-// Nodes of less than 1e-12 of a point take part in nothing, which is what momentum may lose at a crossing.
 constexpr Way ways[] = {{mpm::Shape::linear, "linear", "linear", 2, 0.5, 1.5},
                         {mpm::Shape::gimp, "GIMP", "gimp", 2e-2, 5e-2, 2},
                         {mpm::Shape::bspline, "B-spline", "bspline", 2e-2, 5e-2, 2.5}};
@@ -58,7 +57,7 @@ Finding crossing(const Way& way) {
             ledger.trouble.empty() ? fmt::format("{} steps", flight.solver.steps()) : ledger.trouble)
       .must(after.x - before.x > 9.9,
             fmt::format("it has flown over {:.0f} cells", (after.x - before.x) / flight.plan.cell_size))
-      .below("momentum off by", momentum_error(after, before), 1e-9)
+      .below("momentum off by", momentum_error(after, before), 1e-12)
       .below("most energy over that at the start, less 1,", most / before.kinetic - 1, way.added_in_flight)
       .finding();
 }
@@ -139,7 +138,7 @@ Finding closing_gap(const Way& way) {
       .must(meeting.trouble().empty() && meeting.gap() > 0 && meeting.gap() <= way.widest_gap,
             fmt::format("they feel each other at a gap of {:.2f} cells (at most {:g})", meeting.gap(),
                         way.widest_gap))
-      .below("momentum over that of one", meeting.momentum(), 1e-10)
+      .below("momentum over that of one", meeting.momentum(), 1e-12)
       .must(meeting.rebound() < -0.75, fmt::format("they part at {:.2f} of their speed", -meeting.rebound()))
       .below("energy added at most", meeting.added_energy(), way.added_in_contact)
       .finding();
