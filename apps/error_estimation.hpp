@@ -34,9 +34,9 @@ struct Tolerated {
   bool met = false;                ///< else the estimate is as small as was reached
 };
 
-/// From a fast run in single precision with a step of 0.9 of the critical one, halve the loading rate until
-/// the peak changes by less than half the tolerance, and the step and then the precision where the rest needs
-/// it.
+/// From a fast run in single precision with a step of 0.9 of the critical one, halve the loading rate until a
+/// line through the peaks of the last three is within half the tolerance of its end at rest, and the step and
+/// then the precision where the rest needs it.
 /// @param tolerance  of the peak stress [-], > 0.
 [[nodiscard]] Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve);
 

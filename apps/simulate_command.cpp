@@ -129,11 +129,11 @@ output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const I
     scene->cfl = found.scene.cfl;
     scene->precision = found.scene.precision;
   }
-  console.say(fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision",
-                          output::trimmed(100 * tolerance) + " %", found.met ? "met" : "not met",
-                          output::trimmed(found.scene.loading.velocity, 4),
-                          output::trimmed(found.scene.cfl, 4),
-                          found.scene.precision == mpm::Precision::single ? "single" : "double"));
+  console.say(
+      fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision, found in {:.2f} s",
+                  output::trimmed(100 * tolerance) + " %", found.met ? "met" : "not met",
+                  output::trimmed(found.scene.loading.velocity, 4), output::trimmed(found.scene.cfl, 4),
+                  found.scene.precision == mpm::Precision::single ? "single" : "double", found.wall_time));
   if (!found.met)
     job.notes.push_back(
         "the tolerance of " + output::trimmed(100 * tolerance) +

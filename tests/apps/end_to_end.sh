@@ -178,6 +178,19 @@ code=$?
 [ "$code" -eq 75 ] || fail "a reproduction interrupted with exit code $code, not 75: $(cat err)"
 has stopped_paper/report.html "It was interrupted before the runs of these were done: Figure 5."
 
+# How wrong a run may be, and how exact the program is for its time.
+expect 0 simulate specimen.h5 --estimate-error -o estimated --stop-strain 2.5e-4
+has err "the peak stress may be wrong by"
+has estimated/report.html "How wrong the peak may be"
+python3 -c 'import json; assert len(json.load(open("estimated/summary.json"))["error_estimate"]["sources"]) == 4' ||
+  fail "the summary holds no estimate of the error"
+expect 0 bench error --problem layers -o errors
+has out "layers"
+for file in error.csv error_vs_time.html layers.png; do exists errors/$file; done
+python3 -c 'import xml.dom.minidom as x; x.parse("errors/error_vs_time.html")' || fail "the page of errors cannot be read"
+expect 64 bench error --problem layer
+has err "did you mean layers?"
+
 # Physics gone wrong ends with the exit code for bad data, and keeps what was computed.
 expect 65 simulate specimen.h5 --cfl 1 --local-damping 0.99 -o diverged
 has err "what was computed is in diverged"
