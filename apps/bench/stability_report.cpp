@@ -56,6 +56,22 @@ std::string sections(const StabilityOutcome& outcome) {
   return html;
 }
 
+/// Words in lines of at most 100 letters, each behind an indent.
+std::string in_lines(const std::string& text, const std::string& indent) {
+  std::string lines;
+  std::size_t length = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    const bool fits = length > 0 && length + 1 + word.size() <= 100;
+    lines += fits ? " " : (lines.empty() ? "" : "\n") + indent;
+    lines += word;
+    length = (fits ? length + 1 : 0) + word.size();
+    at = end + 1;
+  }
+  return lines + "\n";
+}
+
 /// A cell between quotes, which are doubled inside.
 std::string quoted_cell(const std::string& text) {
   std::string cell = "\"";
@@ -73,9 +89,9 @@ std::string stability_text(const StabilityOutcome& outcome) {
   for (const StabilityRow& row : outcome.rows) {
     if (row.group != group) text += (group.empty() ? "" : "\n") + row.group + "\n";
     group = row.group;
-    text += fmt::format("  {:7}  {:{}}  {:5.1f} s  {}\n", verdict_of(row), row.name, width, row.seconds,
-                        row.must);
-    if (row.done) text += fmt::format("  {:7}  {:{}}           {}\n", "", "", width, row.finding.seen);
+    text += fmt::format("  {:7}  {:{}}  {:5.1f} s\n", verdict_of(row), row.name, width, row.seconds);
+    text += in_lines(row.must, "           ");
+    if (row.done) text += in_lines(row.finding.seen, "             ");
   }
   return text + summary(outcome) + "\n";
 }

@@ -15,11 +15,20 @@ StabilityOutcome interrupted_outcome() {
 
 TEST(StabilityReport, TextSaysWhatFailsAndSumsUp) {
   const std::string text = stability_text(test::run_made_up({0, 1, 2}));
-  EXPECT_THAT(text, HasSubstr("First\n  holds    good      0.0 s  it holds\n"));
-  EXPECT_THAT(text, HasSubstr("  FAILS    bad       0.0 s  it holds\n"));
+  EXPECT_THAT(text, HasSubstr("First\n  holds    good      0.0 s\n           it holds\n"));
+  EXPECT_THAT(text, HasSubstr("  FAILS    bad       0.0 s\n           it holds\n"));
   EXPECT_THAT(text, HasSubstr("NOT AS IT MUST BE: 3\n\nSecond\n"));
   EXPECT_THAT(text, HasSubstr("\n2 of 3 cases FAIL; 0 s, 1 at a time\n"));
   EXPECT_THAT(stability_text(test::run_made_up({0})), HasSubstr("\nall of 1 cases hold; 0 s, 1 at a time\n"));
+}
+
+TEST(StabilityReport, TextBreaksLongLinesBetweenWords) {
+  StabilityOutcome outcome = test::run_made_up({0});
+  outcome.rows[0].finding.seen =
+      std::string(60, 'a') + ' ' + std::string(39, 'b') + ' ' + std::string(120, 'c');
+  EXPECT_THAT(stability_text(outcome),
+              HasSubstr("\n             " + std::string(60, 'a') + ' ' + std::string(39, 'b') +
+                        "\n             " + std::string(120, 'c') + "\n"));
 }
 
 TEST(StabilityReport, TextTellsWhatWasNotRun) {
