@@ -177,7 +177,8 @@ NodeSums sweep_nodes(const NodeRow<Real>& row) {
   double momentum_rate = 0;
   double force_work = 0;
   double damped = 0;
-#pragma omp simd reduction(+ : momentum_rate, force_work, damped)
+  double velocity = 0;
+#pragma omp simd reduction(+ : momentum_rate, force_work, damped, velocity)
   for (int i = 0; i < n; ++i) {
     const double fx = force(r.below.right_x, r.below.left_x, r.above.right_x, r.above.left_x, i);
     const double fy = force(r.below.right_y, r.below.left_y, r.above.right_y, r.above.left_y, i);
@@ -199,12 +200,13 @@ NodeSums sweep_nodes(const NodeRow<Real>& row) {
       if (w > 0) momentum_rate += (vx0 * vx1 + vy0 * vy1) / w;
       force_work += r.ux[i] * fx + r.uy[i] * fy;
     }
+    velocity += vy1;
     r.vx[i] = vx1;
     r.vy[i] = vy1;
     r.ux[i] += r.dt * vx1;
     r.uy[i] += r.dt * vy1;
   }
-  return {momentum_rate, force_work, damped};
+  return {momentum_rate, force_work, damped, velocity};
 }
 
 template <class Real, int K, bool one_poisson>

@@ -73,6 +73,8 @@ struct NodeSums {
   double momentum_rate;  ///< sum of v_old . v_new / impulse_over_mass: twice the kinetic energy over dt
   double force_work;     ///< sum of u . f: minus twice the elastic energy
   double damped;         ///< sum of the damping force times the mean velocity
+  double velocity;       ///< sum of v_y: finite as long as every number is; what is not a number goes from
+                         ///< one component to the other in a step
 };
 
 /// Which failures are looked for.

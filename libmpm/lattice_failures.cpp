@@ -69,6 +69,7 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
   row_released_[static_cast<std::size_t>(row)] +=
       kind.share * released_energy(before, response.point, elastic);
   write_point(points_, at, scene_, plan_, kind, response.point);
+  count_dead(band, before, response.point);
   if (response.failure != FailureMode::none) {
     count(band, response.failure);
     record_failure(pixel, response.failure, strain);
@@ -90,6 +91,11 @@ void LatticeSolver<Real>::record_failure(const Pixel& pixel, FailureMode mode, d
 template <class Real>
 void LatticeSolver<Real>::count(Band& band, FailureMode mode) {
   ++(mode == FailureMode::tension ? band.tension_failures : band.shear_failures);
+}
+
+template <class Real>
+void LatticeSolver<Real>::count_dead(Band& band, const PointState& before, const PointState& after) {
+  if (before.kept > 0 && !(after.kept > 0)) ++band.dead;
 }
 
 /// Energy that a whole pixel loses when it fails [J/m]. With the strain of the step before on one side of the
@@ -135,6 +141,7 @@ void LatticeSolver<Real>::fail_extra_point(Band& band, int row, CellPoint& point
   row_released_[static_cast<std::size_t>(row)] +=
       point.share * released_energy(point.state, response.point,
                                     stress_at(point.stiffness, row, point.cell, point.xi, point.eta));
+  count_dead(band, point.state, response.point);
   point.state = response.point;
   if (response.failure == FailureMode::none) return;
   count(band, response.failure);

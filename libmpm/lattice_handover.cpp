@@ -196,6 +196,11 @@ MovingStart LatticeSolver<Real>::hand_over() {
   return start;
 }
 
+template <class Real>
+void LatticeSolver<Real>::take_maps(Result& result) {
+  maps_.move_to(result);
+}
+
 template class LatticeSolver<float>;
 template class LatticeSolver<double>;
 

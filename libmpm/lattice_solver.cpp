@@ -4,6 +4,7 @@
 #include <cmath>
 #include <thread>
 
+#include "libmpm/flush_to_zero.hpp"
 #include "libmpm/instruction_set.hpp"
 
 namespace mpm {
@@ -36,6 +37,7 @@ LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
       grid_(make_grid(scene, plan)),
       points_(make_points<Real>(scene, plan, factors_)),
       extra_(make_extra_points(scene, plan)),
+      all_points_(count_points(scene)),
       maps_(empty_maps(scene, plan)) {
   const kernels::Kernels& kernels = chosen_kernels(scene.instruction_set);
   kernels::Features features = plan.features;
@@ -109,6 +111,7 @@ Ledger LatticeSolver<Real>::advance(std::int64_t steps) {
 template <class Real>
 typename LatticeSolver<Real>::Clock LatticeSolver<Real>::run_band(std::size_t index, Clock clock,
                                                                   std::int64_t steps, Barrier& barrier) {
+  const FlushToZero flush;
   for (std::int64_t i = 0; i < steps; ++i) {
     const bool ledger = i + 1 == steps;
     advance_clock(clock);
@@ -116,10 +119,12 @@ typename LatticeSolver<Real>::Clock LatticeSolver<Real>::run_band(std::size_t in
     if (bands_.size() > 1) {
       barrier.arrive_and_wait();
       if (index > 0) {
-        sweep_node_row(bands_[index].begin, last_upper(bands_[index - 1]), bands_[index].first_lower, ledger);
+        Band& band = bands_[index];
+        sweep_node_row(band, band.begin, last_upper(bands_[index - 1]), band.first_lower, clock, ledger);
       }
       barrier.arrive_and_wait();
     }
+    if (is_lost(clock)) break;
   }
   return clock;
 }
@@ -152,13 +157,13 @@ void LatticeSolver<Real>::sweep_band(Band& band, const Clock& clock, bool ledger
     ForceBuffer& lower = shared ? band.first_lower : band.lower;
     sweep_cell_row(band, row, lower, upper, strain);
     if (row == 0) {
-      sweep_platen_row(row, *below, lower, clock);
+      sweep_platen_row(band, row, *below, lower, clock);
     } else if (!shared) {
-      sweep_node_row(row, *below, lower, ledger);
+      sweep_node_row(band, row, *below, lower, clock, ledger);
     }
     below = &upper;
   }
-  if (band.end == plan_.cells_y) sweep_platen_row(band.end, *below, no_force_, clock);
+  if (band.end == plan_.cells_y) sweep_platen_row(band, band.end, *below, no_force_, clock);
 }
 
 template <class Real>
@@ -193,8 +198,8 @@ void LatticeSolver<Real>::sweep_cell_row(Band& band, int row, ForceBuffer& lower
 }
 
 template <class Real>
-void LatticeSolver<Real>::sweep_node_row(int row, const ForceBuffer& below, const ForceBuffer& above,
-                                         bool ledger) {
+void LatticeSolver<Real>::sweep_node_row(Band& band, int row, const ForceBuffer& below,
+                                         const ForceBuffer& above, const Clock& clock, bool ledger) {
   const auto at = grid_.at(row);
   const kernels::NodeRow<Real> in{
       .nodes = padded(grid_.cols),
@@ -212,12 +217,13 @@ void LatticeSolver<Real>::sweep_node_row(int row, const ForceBuffer& below, cons
   const auto index = static_cast<std::size_t>(row);
   if (ledger) row_sums_[index] = sums;
   row_damped_[index] += sums.damped;
+  if (!std::isfinite(sums.velocity)) note_loss(band, row, clock);
 }
 
 /// The rows of nodes that a platen moves: their vertical motion is given, and what it takes is the reaction.
 template <class Real>
-void LatticeSolver<Real>::sweep_platen_row(int row, const ForceBuffer& below, const ForceBuffer& above,
-                                           const Clock& clock) {
+void LatticeSolver<Real>::sweep_platen_row(Band& band, int row, const ForceBuffer& below,
+                                           const ForceBuffer& above, const Clock& clock) {
   const bool top = row > 0;
   const double old_velocity = top ? clock.velocity : 0;
   const double new_velocity = top ? clock.next_velocity : 0;
@@ -250,6 +256,7 @@ void LatticeSolver<Real>::sweep_platen_row(int row, const ForceBuffer& below, co
   row_sums_[static_cast<std::size_t>(row)] = sums;
   row_damped_[static_cast<std::size_t>(row)] += sums.damped;
   record_reaction(top, reaction / points_.planes, clock);
+  if (!std::isfinite(reaction)) note_loss(band, row, clock);
 }
 
 template <class Real>
@@ -257,7 +264,6 @@ void LatticeSolver<Real>::record_reaction(bool top, double reaction, const Clock
   Reaction& platen = top ? top_ : bottom_;
   platen.work += 0.5 * (platen.force + reaction) * plan_.dt * (top ? clock.velocity : 0.0);
   platen.force = reaction;
-  if (!std::isfinite(reaction) && platen.diverged_at < 0) platen.diverged_at = clock.step;
 }
 
 template <class Real>
@@ -275,17 +281,14 @@ Ledger LatticeSolver<Real>::balance() const {
     ledger.damped += to_force * plan_.dt * row_damped_[row];
     ledger.released += row_released_[row];
   }
+  ledger.carrying_points = all_points_;
   for (const Band& band : bands_) {
     ledger.tension_failures += band.tension_failures;
     ledger.shear_failures += band.shear_failures;
+    ledger.carrying_points -= band.dead;
   }
-  ledger.diverged_at = top_.diverged_at >= 0 ? top_.diverged_at : bottom_.diverged_at;
+  ledger.diverged_at = first_loss().step;
   return ledger;
-}
-
-template <class Real>
-void LatticeSolver<Real>::take_maps(Result& result) {
-  maps_.move_to(result);
 }
 
 template class LatticeSolver<float>;

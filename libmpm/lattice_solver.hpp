@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "libmpm/barrier.hpp"
@@ -24,8 +25,8 @@ class LatticeSolver {
   /// The scene and the plan must outlive the solver.
   LatticeSolver(const Scene& scene, const Plan& plan);
 
-  /// Take up to `steps` time steps (>= 1) on all threads, but none beyond the last of the plan; the ledger is
-  /// that of the last of them.
+  /// Take up to `steps` time steps (>= 1) on all threads, but none beyond the last of the plan, nor beyond
+  /// one in which something is no number; the ledger is that of the last of them.
   [[nodiscard]] Ledger advance(std::int64_t steps);
 
   [[nodiscard]] std::int64_t steps() const { return clock_.step; }
@@ -41,6 +42,10 @@ class LatticeSolver {
   /// Failure maps so far, moved out.
   void take_maps(Result& result);
 
+  [[nodiscard]] double dt() const { return plan_.dt; }  ///< [s]
+  /// The point where numbers ceased to be numbers, else the one with the most elastic energy, by name.
+  [[nodiscard]] std::string worst_point() const;
+
  private:
   /// Forces on the two rows of nodes of a row of cells, with a zero in front that belongs to no cell.
   struct ForceBuffer {
@@ -51,6 +56,12 @@ class LatticeSolver {
     [[nodiscard]] kernels::NodeForces<const Real> forces() const;
   };
 
+  /// The first node that was no number.
+  struct Loss {
+    std::int64_t step = -1;  ///< -1 = all are numbers
+    int row = 0, col = 0;    ///< of the node
+  };
+
   /// The rows of cells of one thread. Its lowest row of nodes is shared with the band below.
   struct Band {
     int begin = 0, end = 0;            ///< rows of cells
@@ -59,6 +70,8 @@ class LatticeSolver {
     ForceBuffer first_lower;           ///< of the lowest row, kept until the band below is done
     AlignedVector<kernels::Flag<Real>> suspects;
     std::int64_t tension_failures = 0, shear_failures = 0;
+    std::int64_t dead = 0;  ///< points that have lost all stiffness
+    Loss loss;
   };
 
   /// Where the platen stands; every thread keeps its own, they are equal.
@@ -71,9 +84,8 @@ class LatticeSolver {
 
   /// What a platen does to the specimen.
   struct Reaction {
-    double force = 0;               ///< upwards positive [N/m]
-    double work = 0;                ///< [J/m]
-    std::int64_t diverged_at = -1;  ///< first step in which the force was no number; -1 = none
+    double force = 0;  ///< upwards positive [N/m]
+    double work = 0;   ///< [J/m]
   };
 
   /// Stress now and at the end of the step before [Pa].
@@ -88,8 +100,14 @@ class LatticeSolver {
   void sweep_band(Band& band, const Clock& clock, bool ledger);
   [[nodiscard]] const ForceBuffer& last_upper(const Band& band) const;
   void sweep_cell_row(Band& band, int row, ForceBuffer& lower, ForceBuffer& upper, double strain);
-  void sweep_node_row(int row, const ForceBuffer& below, const ForceBuffer& above, bool ledger);
-  void sweep_platen_row(int row, const ForceBuffer& below, const ForceBuffer& above, const Clock& clock);
+  void sweep_node_row(Band& band, int row, const ForceBuffer& below, const ForceBuffer& above,
+                      const Clock& clock, bool ledger);
+  void sweep_platen_row(Band& band, int row, const ForceBuffer& below, const ForceBuffer& above,
+                        const Clock& clock);
+  void note_loss(Band& band, int row, const Clock& clock) const;
+  [[nodiscard]] bool is_lost(const Clock& clock);
+  [[nodiscard]] Loss first_loss() const;
+  [[nodiscard]] std::string point_at_node(int row, int col) const;
   void record_reaction(bool top, double reaction, const Clock& clock);
   [[nodiscard]] Ledger balance() const;
   [[nodiscard]] bool strains_more_than(double limit) const;
@@ -108,6 +126,7 @@ class LatticeSolver {
   bool fail_suspects(Band& band, int row, double strain);
   bool fail_point(Band& band, int row, int plane, int cell, double strain);
   static void count(Band& band, FailureMode mode);
+  static void count_dead(Band& band, const PointState& before, const PointState& after);
   void record_failure(const Pixel& pixel, FailureMode mode, double strain);
   [[nodiscard]] double released_energy(const PointState& before, const PointState& after,
                                        const StepStress& elastic) const;
@@ -122,6 +141,7 @@ class LatticeSolver {
   Grid grid_;
   LatticePoints<Real> points_;
   ExtraPoints extra_;
+  std::int64_t all_points_ = 0;
   Lattice<std::uint16_t> shares_;   ///< points a pixel; empty when there are no extra points
   Eigen::Matrix3d unit_stiffness_;  ///< of a phase with E = 1 and the plan's Poisson ratio [-]
   kernels::SweepCells<Real> sweep_cells_;

@@ -21,8 +21,9 @@ struct Ledger {
   std::int64_t tension_failures = 0;
   std::int64_t shear_failures = 0;
   std::int64_t left_points = 0;
-  std::int64_t diverged_at = -1;  ///< step at which a reaction stopped being a number; -1 = none did
-  std::string trouble;            ///< what went wrong otherwise, with the step and the point; empty = nothing
+  std::int64_t carrying_points = 0;  ///< that still have some stiffness
+  std::int64_t diverged_at = -1;     ///< step at which something stopped being a number; -1 = nothing did
+  std::string trouble;  ///< what went wrong otherwise, with the step and the point; empty = nothing
 };
 
 }  // namespace mpm

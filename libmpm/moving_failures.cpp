@@ -1,5 +1,6 @@
 // Failure of moving points, and the energies that they hold.
 #include <cmath>
+#include <numeric>
 
 #include "libmpm/failure.hpp"
 #include "libmpm/lattice_points.hpp"
@@ -102,6 +103,7 @@ Ledger MovingSolver<Real>::balance() {
   for (const double damped : row_damped_) ledger.damped += damped;
   ledger.left = left_energy_;
   ledger.left_points = left_;
+  ledger.carrying_points = std::accumulate(live_.begin(), live_.end(), std::int64_t{0});
   ledger.tension_failures = sums_.tension_failures;
   ledger.shear_failures = sums_.shear_failures;
   for (int row = 0; row < points_.rows(); ++row) {
@@ -113,6 +115,23 @@ Ledger MovingSolver<Real>::balance() {
     ledger.diverged_at = clock_.step;
   ledger.trouble = failure_;
   return ledger;
+}
+
+template <class Real>
+std::string MovingSolver<Real>::worst_point() const {
+  double most = 0;
+  std::uint32_t worst = 0;
+  for (const PointView& point : points()) {
+    const PointOrigin origin = origin_of(scene_, point.id);
+    const double speed = point.vx * point.vx + point.vy * point.vy;
+    const double energy =
+        speed + stress_power(*origin.phase, scene_.plane, point.stress, point.stress) / origin.phase->density;
+    if (energy <= most) continue;
+    worst = point.id;
+    if (!std::isfinite(energy)) return name_of_point(scene_, worst);
+    most = energy;
+  }
+  return most > 0 ? name_of_point(scene_, worst) : std::string();
 }
 
 template class MovingSolver<float>;

@@ -381,6 +381,8 @@ double integrate(const Integration<Real>& in) {
   constexpr int n = nodes_of<stencil>;
   const Integration<Real> nodes = in;
   const Pack<Real> least = all<Real>(nodes.least_mass);
+  const Pack<Real> light = all<Real>(nodes.light_mass);
+  const Real per_light = nodes.light_mass > 0 ? 1 / nodes.light_mass : Real(1);
   Pack<Real> taken{};
   for (int i = 0; i < nodes.forces.nodes; i += lanes<Real>) {
     const Pack<Real> m = load<Real>(nodes.mass + i);
@@ -403,8 +405,10 @@ double integrate(const Integration<Real>& in) {
     store<Real>(nodes.change_y + i, change_y);
     store<Real>(nodes.fresh_x + i, v_x + change_x);
     store<Real>(nodes.fresh_y + i, v_y + change_y);
-    if constexpr (damped)
-      taken -= drag_x * (v_x + Real(0.5) * change_x) + drag_y * (v_y + Real(0.5) * change_y);
+    if constexpr (damped) {
+      const Pack<Real> half = Real(0.5) * (m < light ? m * per_light : all<Real>(1));
+      taken -= drag_x * (v_x + half * change_x) + drag_y * (v_y + half * change_y);
+    }
   }
   return sum_of<Real>(taken) * static_cast<double>(nodes.dt);
 }

@@ -158,6 +158,9 @@ struct Integration {
   const Real *mass, *vx, *vy;  ///< at the beginning of the step
   Real *fresh_x, *fresh_y;     ///< out: velocity at its end [m/s]
   Real *change_x, *change_y;   ///< out: its change [m/s]
+  /// A node below it gains speed that its points hardly see, so that damping takes less from it than f^2 / m
+  /// says, which has no bound [kg/m].
+  Real light_mass = 0;
 };
 /// @return energy that local damping took [J/m].
 template <class Real>

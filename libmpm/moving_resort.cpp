@@ -1,11 +1,23 @@
 // Points that left their tile: to the one that they are in, or out of the grid.
 #include <cmath>
-#include <cstdio>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include "libmpm/moving_solver.hpp"
 
 namespace mpm {
+
+namespace {
+
+/// Of a point that is not to be found in the next tile.
+template <class Loose>
+std::string what_went_wrong(const Loose& point) {
+  const bool is_number = std::isfinite(point.values[moving::xi]) && std::isfinite(point.values[moving::eta]);
+  return is_number ? "a point moves further than a cell in a step, " : "a place is not a number, that of ";
+}
+
+}  // namespace
 
 /// Points that left their tile go to the one that they are in, in the order of the rows they came from,
 /// whatever the number of bands.
@@ -25,12 +37,11 @@ void MovingSolver<Real>::resort() {
       if (!step_over(point.tile.col, point.values[moving::xi]) ||
           !step_over(point.tile.row, point.values[moving::eta])) {
         point.tile = from;
-        stop("a point moves further than a cell in a step, " + name_of(point.id));
+        stop(what_went_wrong(point) + name_of_point(scene_, point.id) +
+             "; the time step is too long for it, try a smaller solver.cfl");
         continue;
       }
-      const bool inside = point.tile.row >= 0 && point.tile.row < geometry_.tiles_y && point.tile.col >= 0 &&
-                          point.tile.col < geometry_.tiles_x;
-      if (inside)
+      if (is_inside(point) || stays_at_support(point))
         points_.insert(point);
       else
         leave(point);
@@ -40,14 +51,28 @@ void MovingSolver<Real>::resort() {
 }
 
 template <class Real>
-std::string MovingSolver<Real>::name_of(std::uint32_t id) const {
-  const PointOrigin origin = origin_of(scene_, id);
-  char text[96];
-  if (origin.row < 0)
-    std::snprintf(text, sizeof text, "extra point %zu", origin.extra);
-  else
-    std::snprintf(text, sizeof text, "the point of pixel (row %d, column %d)", origin.row, origin.col);
-  return text;
+bool MovingSolver<Real>::is_inside(const Loose& point) const {
+  return point.tile.row >= 0 && point.tile.row < geometry_.tiles_y && point.tile.col >= 0 &&
+         point.tile.col < geometry_.tiles_x;
+}
+
+/// A point that stands on a platen, a wall or a plane of symmetry has nothing but rounding to carry it
+/// beyond, and is put back.
+template <class Real>
+bool MovingSolver<Real>::stays_at_support(Loose& point) const {
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  const auto put_back = [](int& tile, Real& place, int tiles, const Support& before, const Support& behind) {
+    if (tile == -1 && before.active && place > 1 - rounding) {
+      tile = 0;
+      place = 0;
+    } else if (tile == tiles && behind.active && place < rounding) {
+      tile = tiles - 1;
+      place = std::nextafter(Real(1), Real(0));
+    }
+  };
+  put_back(point.tile.col, point.values[moving::xi], geometry_.tiles_x, supports_.left, supports_.right);
+  put_back(point.tile.row, point.values[moving::eta], geometry_.tiles_y, supports_.bottom, supports_.top);
+  return is_inside(point);
 }
 
 template <class Real>
@@ -62,7 +87,7 @@ void MovingSolver<Real>::leave(const Loose& point) {
                                         : motion.top);
   const char* name = sideways ? (first ? "left" : "right") : (first ? "bottom" : "top");
   if (edge != Edge::open) {
-    stop(std::string("a point left the grid at the ") + name + " edge, " + name_of(point.id) +
+    stop(std::string("a point left the grid at the ") + name + " edge, " + name_of_point(scene_, point.id) +
          (edge == Edge::closed ? std::string("; make motion.margin larger, or motion.") + name + " = \"open\""
                                : std::string()));
     return;

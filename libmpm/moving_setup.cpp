@@ -64,8 +64,9 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   for (std::size_t label = 0; label < scene.phases.size(); ++label)
     if (scene.phases[label]) speeds_[label] = wave_speed(*scene.phases[label], scene.plane);
   const double lightest = lightest_point(scene);
-  // Lighter nodes are rounding: they take part in nothing.
-  least_mass_ = static_cast<Real>(1e-12 * lightest);
+  // Lighter nodes take part in nothing, and the forces on them are lost: at the edge of a quadratic shape
+  // these fall with the root of the mass, to 1e-10 of those on other nodes.
+  least_mass_ = static_cast<Real>(1e-20 * lightest);
   // A point alone on a node of weight S swings with c / (h sqrt S), for which the step that suits a full cell
   // is too long below S = cfl^2 / 4; four times that leaves room for several such nodes at a point. Where the
   // stress follows the new velocity of the nodes (USL), lighter nodes answer to forces as if they had that

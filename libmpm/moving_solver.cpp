@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "libmpm/flush_to_zero.hpp"
+
 namespace mpm {
 
 template <class Real>
@@ -30,6 +32,7 @@ Ledger MovingSolver<Real>::advance(std::int64_t steps) {
 
 template <class Real>
 void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, Barrier& barrier) {
+  const FlushToZero flush;
   Band& band = bands_[index];
   for (std::int64_t i = 0; i < steps; ++i) {
     if (index == 0) begin_step();
@@ -108,7 +111,8 @@ void MovingSolver<Real>::end_step() {
   clock_.displacement += clock_.dt * clock_.velocity;
   clock_.time += clock_.dt;
   ++clock_.step;
-  if (!(clock_.dt > 1e-6 * first_dt_)) stop("the time step has collapsed");
+  if (!(clock_.dt > 1e-6 * first_dt_))
+    stop("the time step has collapsed, the fastest is " + worst_point() + "; try a smaller solver.cfl");
   clock_.stopped = is_done();
 }
 

@@ -48,6 +48,9 @@ class MovingSolver {
   /// Failure maps so far, moved out, and where the points are.
   void take_maps(Result& result);
 
+  /// The point with the most kinetic and elastic energy for its mass, by name.
+  [[nodiscard]] std::string worst_point() const;
+
   /// All points, in an order of the solver's own.
   [[nodiscard]] std::vector<PointView> points() const;
   /// Change the velocity of every point: by a body force, or to start from.
@@ -139,8 +142,9 @@ class MovingSolver {
   [[nodiscard]] PointView view(const Slot& slot) const;
   [[nodiscard]] double cell_height(double displacement) const;
   [[nodiscard]] Ledger balance();
-  [[nodiscard]] std::string name_of(std::uint32_t id) const;
   [[nodiscard]] double energy_of(const Loose& point) const;
+  [[nodiscard]] bool is_inside(const Loose& point) const;
+  [[nodiscard]] bool stays_at_support(Loose& point) const;
   void leave(const Loose& point);
   void stop(std::string what);
 

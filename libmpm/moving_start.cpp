@@ -89,6 +89,14 @@ PointOrigin origin_of(const Scene& scene, std::uint32_t id) {
   return origin;
 }
 
+std::string name_of_point(const Scene& scene, std::uint32_t id) {
+  const PointOrigin origin = origin_of(scene, id);
+  const std::string place = origin.row < 0 ? "extra point " + std::to_string(origin.extra)
+                                           : "the point of pixel (row " + std::to_string(origin.row) +
+                                                 ", column " + std::to_string(origin.col) + ")";
+  return origin.phase->name.empty() ? place : place + ", " + origin.phase->name;
+}
+
 double factor_of(const StrengthFactors& factors, const PointOrigin& origin) {
   return origin.row < 0 ? factors.of_extra_point(origin.extra) : factors.of_pixel(origin.row, origin.col);
 }

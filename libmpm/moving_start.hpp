@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "libmpm/failure.hpp"
@@ -69,6 +70,8 @@ struct PointOrigin {
   std::size_t extra = 0;   ///< index in Scene::extra_points, when row < 0
 };
 [[nodiscard]] PointOrigin origin_of(const Scene& scene, std::uint32_t id);
+/// "the point of pixel (row 3, column 4), mortar".
+[[nodiscard]] std::string name_of_point(const Scene& scene, std::uint32_t id);
 /// Factor on its strength [-].
 [[nodiscard]] double factor_of(const StrengthFactors& factors, const PointOrigin& origin);
 

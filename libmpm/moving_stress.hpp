@@ -68,15 +68,33 @@ MPM_INLINE Gradient<Real> gradient(const TileNodes<Real, N>& vx, const TileNodes
           per_x * interpolated<Real, N>(vy, x.dw, y.w), per_y * interpolated<Real, N>(vy, x.w, y.dw)};
 }
 
-/// Jaumann's rate: the stress turns with the spin, then grows by C : strain. The turn is exact in the norm,
-/// tan(angle) = spin. Source: Hughes, Winget (1980), for the increment.
+/// The gradient of the displacement of the step with respect to where the points are halfway through it,
+/// G (1 + G / 2)^-1. That of a turn is a spin and no strain, and that of nodes which fly straight on while
+/// they turn is the stretch that they come to: taken at the beginning of the step, it would be none, and a
+/// body that turns would grow with every step.   Source: Hughes, Winget (1980).
 template <class Real>
-MPM_INLINE Stress<Pack<Real>> turned_and_loaded(const Stress<Pack<Real>>& s, const Gradient<Real>& g,
+MPM_INLINE Gradient<Real> halfway(const Gradient<Real>& g) {
+  const Pack<Real> a = 1 + Real(0.5) * g.xx;
+  const Pack<Real> b = Real(0.5) * g.xy;
+  const Pack<Real> c = Real(0.5) * g.yx;
+  const Pack<Real> d = 1 + Real(0.5) * g.yy;
+  const Pack<Real> share = 1 / (a * d - b * c);
+  return {share * (g.xx * d - g.xy * c), share * (g.xy * a - g.xx * b), share * (g.yx * d - g.yy * c),
+          share * (g.yy * a - g.yx * b)};
+}
+
+/// Jaumann's rate: the stress turns with the spin, then grows by C : strain. The turn is exact in the norm,
+/// tan(angle / 2) = spin / 2. Source: Hughes, Winget (1980), for the increment.
+template <class Real>
+MPM_INLINE Stress<Pack<Real>> turned_and_loaded(const Stress<Pack<Real>>& s, const Gradient<Real>& start,
                                                 const Pack<Real>& lame, const Pack<Real>& shear) {
-  const Pack<Real> spin = Real(0.5) * (g.yx - g.xy);
-  const Pack<Real> share = 1 / (1 + spin * spin);
-  const Pack<Real> cos2 = (1 - spin * spin) * share;
-  const Pack<Real> sin2 = 2 * spin * share;
+  const Gradient<Real> g = halfway(start);
+  const Pack<Real> half = Real(0.25) * (g.yx - g.xy);  // tangent of half the angle
+  const Pack<Real> share = 1 / (1 + half * half);
+  const Pack<Real> cosine = (1 - half * half) * share;
+  const Pack<Real> sine = 2 * half * share;
+  const Pack<Real> cos2 = cosine * cosine - sine * sine;
+  const Pack<Real> sin2 = 2 * sine * cosine;
   const Pack<Real> mean = Real(0.5) * (s.xx + s.yy);
   const Pack<Real> deviator = Real(0.5) * (s.xx - s.yy);
   const Pack<Real> turned = deviator * cos2 - s.xy * sin2;

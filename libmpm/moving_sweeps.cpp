@@ -58,6 +58,7 @@ void MovingSolver<Real>::integrate_momentum(int node_row) {
       .fresh_y = grid_.fresh_y.data() + at,
       .change_x = grid_.change_x.data() + at,
       .change_y = grid_.change_y.data() + at,
+      .light_mass = light_mass_,
   };
   // The force at a platen is its reaction, not out of balance: damping would add to it.
   const bool at_platen = (node_row <= geometry_.before && supports_.bottom.active) ||

@@ -36,7 +36,7 @@ enum class FailureMode : std::uint8_t { none = 0, tension = 1, shear = 2 };
 enum class StopReason {
   strain,       ///< stop_strain was reached
   time,         ///< the duration is over
-  drop,         ///< the stress fell below stop_drop of its peak
+  drop,         ///< the stress fell below stop_drop of its peak, or nothing carries load any more
   interrupted,  ///< the observer asked for it
 };
 
@@ -69,6 +69,7 @@ struct Result {
   std::string instruction_set;  ///< that the kernels ran on, e.g. "avx512"
   std::int64_t threads = 1;     ///< that shared the work
   StopReason stop = StopReason::strain;
+  bool nothing_carries = false;  ///< every point has lost all stiffness: the run ended with the specimen
 
   [[nodiscard]] double point_updates_per_second() const {
     return wall_time > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_time : 0;

@@ -107,6 +107,7 @@ void write_figures(hid_t file, const Result& result, const std::string& scene_te
   write_text(file, "instruction_set", result.instruction_set);
   write_number(file, "threads", result.threads);
   write_text(file, "stop_reason", stop_name(result.stop));
+  write_number(file, "nothing_carries", std::int64_t{result.nothing_carries});
   write_text(file, "scene", scene_text);
 }
 

@@ -137,6 +137,9 @@ void read_figures(hid_t file, Result& result) {
   result.instruction_set = read_text(file, "instruction_set");
   result.threads = read_number<std::int64_t>(file, "threads");
   result.stop = stop_of(read_text(file, "stop_reason"));
+  // Older files do not say.
+  result.nothing_carries =
+      H5Aexists(file, "nothing_carries") > 0 && read_number<std::int64_t>(file, "nothing_carries") != 0;
 }
 
 template <class A, class B>

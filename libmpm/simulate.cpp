@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "libmpm/divergence.hpp"
 #include "libmpm/instruction_set.hpp"
 #include "libmpm/lattice_solver.hpp"
 #include "libmpm/moving_solver.hpp"
@@ -99,15 +100,6 @@ void close_ledger(Result& result) {
   result.energy_error = largest_work > 0 ? largest_imbalance / largest_work : 0;
 }
 
-std::string divergence_message(const Plan& plan, std::int64_t step, const char* what) {
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "%s at step %lld (time %.4g s): the time step of %.4g s is too long for this specimen; "
-                "try a smaller solver.cfl",
-                what, static_cast<long long>(step), static_cast<double>(step) * plan.dt, plan.dt);
-  return text;
-}
-
 std::string trouble_message(const Ledger& ledger, std::int64_t step) {
   char text[512];
   std::snprintf(text, sizeof text, "%s, at step %lld (time %.4g s)", ledger.trouble.c_str(),
@@ -135,18 +127,29 @@ class Run {
   /// part.   @return whether the run goes on with another solver.
   template <class Solver, class Outgrown>
   [[nodiscard]] bool drive(Solver& solver, bool moving, const Outgrown& outgrown) {
+    std::int64_t steps = plan_.steps_per_row;
     while (!solver.is_done()) {
-      const Ledger ledger = solver.advance(plan_.steps_per_row);
+      const Ledger ledger = solver.advance(steps);
       result_.steps = solver.steps();
       HistoryRow row = history_row(scene_, ledger);
       row.moving_points = moving ? result_.points - ledger.left_points : 0;
-      if (const std::string trouble = trouble_of(ledger, row); !trouble.empty()) {
+      if (const std::string trouble = trouble_of(solver, moving, ledger, row); !trouble.empty()) {
         finish(solver);
         throw Diverged(trouble, std::move(result_));
       }
       add_row(result_, row);
+      const bool was_over = result_.nothing_carries;
+      result_.nothing_carries = nothing_carries(ledger);
       if (ends(row)) return false;
-      if (outgrown()) return true;
+      if (was_over) {
+        result_.stop = StopReason::drop;
+        return false;
+      }
+      // What failed last may still have pushed in its step: one more shows that nothing does.
+      if (result_.nothing_carries)
+        steps = 1;
+      else if (outgrown())
+        return true;
     }
     return false;
   }
@@ -161,13 +164,23 @@ class Run {
   [[nodiscard]] Result take_result() { return std::move(result_); }
 
  private:
-  [[nodiscard]] std::string trouble_of(const Ledger& ledger, const HistoryRow& row) const {
+  template <class Solver>
+  [[nodiscard]] std::string trouble_of(const Solver& solver, bool moving, const Ledger& ledger,
+                                       const HistoryRow& row) const {
     if (!ledger.trouble.empty()) return trouble_message(ledger, result_.steps);
-    if (ledger.diverged_at >= 0)
-      return divergence_message(plan_, ledger.diverged_at, "stress is not a number");
-    if (makes_energy(row, result_.history.front()))
-      return divergence_message(plan_, result_.steps, "energy grows without work");
-    return {};
+    Divergence seen{.time = ledger.time, .dt = solver.dt(), .moving = moving};
+    if (ledger.diverged_at >= 0) {
+      seen.what = "motion is not a number";
+      seen.step = ledger.diverged_at;
+      if (!moving) seen.time = static_cast<double>(seen.step) * seen.dt;
+    } else if (makes_energy(row, result_.history.front())) {
+      seen.what = "energy grows without work";
+      seen.step = result_.steps;
+    } else {
+      return {};
+    }
+    seen.point = solver.worst_point();
+    return divergence_text(scene_, plan_, seen);
   }
 
   [[nodiscard]] bool ends(const HistoryRow& row) {
@@ -184,6 +197,11 @@ class Run {
       return true;
     }
     return false;
+  }
+
+  /// Between platens the run is then over; a specimen that flies goes on flying.
+  [[nodiscard]] bool nothing_carries(const Ledger& ledger) const {
+    return ledger.carrying_points == 0 && scene_.loading.direction != Direction::none;
   }
 
   const Scene& scene_;

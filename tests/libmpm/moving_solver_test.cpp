@@ -284,6 +284,57 @@ TEST(Platens, WithSeparationCompressionCarriesAllTheSame) {
   }
 }
 
+TEST(NotANumber, StopsInItsStepWithThePointAndItsPhase) {
+  for (const auto shape : samples::all_shapes()) {
+    Scene scene = samples::soft_body(8, 8, 0.05);
+    scene.motion.shape = shape;
+    Moving<double> it(scene);
+    it.solver.kick([](const mpm::PointView& p, double& vx, double&) {
+      if (p.id == 27) vx = std::nan("");
+    });
+    EXPECT_THAT(
+        it.solver.advance(100).trouble,
+        testing::AllOf(testing::HasSubstr("a place is not a number, that of the point of pixel (row "),
+                       testing::HasSubstr("), soft; "), testing::HasSubstr("try a smaller solver.cfl")));
+    EXPECT_EQ(it.solver.steps(), 1);
+  }
+}
+
+// Points on the line of a platen have the whole weight of its nodes, and nothing but rounding beyond it.
+TEST(Platens, KeepAPointThatStandsOnThem) {
+  for (const auto shape : samples::all_shapes()) {
+    for (const auto direction : {mpm::Direction::tension, mpm::Direction::compression}) {
+      Scene scene = pressed_block(direction, false);
+      scene.motion.shape = shape;
+      for (int i = 0; i <= 4; ++i)
+        for (const double y : {0.0, scene.height()})
+          scene.extra_points.push_back({i * 0.1, y, samples::soft});
+      EXPECT_NEAR(mpm::simulate(scene).history.back().stress, 0.02 * 1e7, 0.07 * 0.02 * 1e7);
+    }
+  }
+}
+
+TEST(Edges, KeepAPointThatStandsOnAPlaneOfSymmetry) {
+  for (const auto shape : samples::all_shapes()) {
+    Scene scene = samples::soft_body(8, 8, 0.05);
+    scene.motion.shape = shape;
+    scene.motion.left = scene.motion.right = mpm::Edge::symmetry;
+    scene.motion.bottom = scene.motion.top = mpm::Edge::symmetry;
+    scene.extra_points = {{0, 0.1, samples::soft},
+                          {0.4, 0.1, samples::soft},
+                          {0.1, 0, samples::soft},
+                          {0.1, 0.4, samples::soft},
+                          {0.4, 0.4, samples::soft}};
+    Moving<double> it(scene);
+    it.solver.kick([](const mpm::PointView& p, double& vx, double& vy) {
+      vx = std::sin(2 * 3.14159265358979 * p.x / 0.4);
+      vy = std::sin(2 * 3.14159265358979 * p.y / 0.4);
+    });
+    EXPECT_EQ(it.solver.advance(500).trouble, "");
+    EXPECT_EQ(it.solver.points().size(), 69U);
+  }
+}
+
 // The rows of the grid follow the top platen, in 32 bits too, where the stretch of a step is lost beside 1.
 TEST(Platens, PointsStretchWithThePlatenInBothPrecisions) {
   Scene scene = pressed_block(mpm::Direction::tension, false);

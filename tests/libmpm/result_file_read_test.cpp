@@ -63,6 +63,12 @@ TEST_F(ResultFileRead, NamesAColumnThatIsMissing) {
   EXPECT_THAT(complaint(), HasSubstr("dataset damped is missing"));
 }
 
+TEST_F(ResultFileRead, KnowsOlderFilesThatDoNotSayWhetherAnythingCarries) {
+  mpm::write_result(path_, odd_result(), "");
+  damage([](hid_t file) { H5Adelete(file, "nothing_carries"); });
+  EXPECT_FALSE(mpm::read_result(path_).nothing_carries);
+}
+
 TEST_F(ResultFileRead, NamesAnAttributeThatIsMissing) {
   mpm::write_result(path_, odd_result(), "");
   damage([](hid_t file) { H5Adelete(file, "dt_s"); });

@@ -60,6 +60,7 @@ void expect_same(const mpm::Result& read, const mpm::Result& written) {
   EXPECT_EQ(read.instruction_set, written.instruction_set);
   EXPECT_EQ(read.threads, written.threads);
   EXPECT_EQ(read.stop, written.stop);
+  EXPECT_EQ(read.nothing_carries, written.nothing_carries);
 }
 
 TEST_F(ResultFile, GivesBackEveryBit) {

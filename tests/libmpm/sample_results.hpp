@@ -46,6 +46,7 @@ inline mpm::Result odd_result() {
   result.instruction_set = "avx512";
   result.threads = 3;
   result.stop = mpm::StopReason::drop;
+  result.nothing_carries = true;
   return result;
 }
 

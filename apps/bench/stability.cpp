@@ -1,0 +1,63 @@
+#include "apps/bench/stability.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+#include "apps/bench/stability_table.hpp"
+#include "apps/reproduce/job_pool.hpp"
+
+namespace app::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void run_case(const StabilityCase& one, StabilityRow& row) {
+  const Clock::time_point start = Clock::now();
+  try {
+    row.finding = one.run();
+  } catch (const std::exception& error) {
+    row.finding = {false, std::string("it threw: ") + error.what()};
+  }
+  row.seconds = seconds_since(start);
+  row.done = true;
+}
+
+}  // namespace
+
+bool StabilityOutcome::holds() const {
+  return !rows.empty() && std::all_of(rows.begin(), rows.end(),
+                                      [](const StabilityRow& row) { return row.done && row.finding.holds; });
+}
+
+StabilityOutcome run_cases(const std::vector<const StabilityCase*>& cases, int workers,
+                           const std::function<void(std::size_t done, std::size_t all)>& progress,
+                           const std::function<bool()>& go_on) {
+  const Clock::time_point start = Clock::now();
+  StabilityOutcome outcome;
+  outcome.workers = workers;
+  for (const StabilityCase* one : cases)
+    outcome.rows.push_back({.name = one->name, .group = one->group, .must = one->must});
+  std::vector<std::function<void()>> jobs;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    jobs.emplace_back([&outcome, &cases, i] { run_case(*cases[i], outcome.rows[i]); });
+  const reproduce::Watch watch{[&](std::size_t done) {
+                                 if (progress) progress(done, cases.size());
+                               },
+                               go_on};
+  outcome.interrupted = reproduce::run_jobs(jobs, workers, watch) < jobs.size();
+  outcome.wall_time = seconds_since(start);
+  return outcome;
+}
+
+StabilityOutcome run_stability(const StabilityOptions& options,
+                               const std::function<void(std::size_t done, std::size_t all)>& progress,
+                               const std::function<bool()>& go_on) {
+  return run_cases(select_cases(options.cases), options.workers, progress, go_on);
+}
+
+}  // namespace app::bench

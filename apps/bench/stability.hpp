@@ -1,0 +1,58 @@
+/// The bench of limits: runs at the edge of what the solver bears, each with what must come of it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "apps/bench/stability_case.hpp"
+
+namespace app::bench {
+
+struct StabilityOptions {
+  std::vector<std::string> cases;  ///< names; empty = all
+  int workers = 1;                 ///< cases at a time, each on one thread
+};
+
+/// A case and what came of it.
+struct StabilityRow {
+  std::string name = {}, group = {}, must = {};
+  bool done = false;  ///< false: interrupted before it was
+  Finding finding = {};
+  double seconds = 0;  ///< that it took
+};
+
+struct StabilityOutcome {
+  std::vector<StabilityRow> rows;  ///< in the order of the table
+  int workers = 1;
+  double wall_time = 0;  ///< [s]
+  bool interrupted = false;
+
+  /// Whether every case was run and holds; what decides over the exit code.
+  [[nodiscard]] bool holds() const;
+};
+
+/// @param progress  called after each case, by one thread at a time; may be empty.
+/// @param go_on     no further case is begun once it says no; may be empty.
+/// @throws Rejected for a name that is no case. What a case throws is its finding.
+[[nodiscard]] StabilityOutcome run_stability(
+    const StabilityOptions& options, const std::function<void(std::size_t done, std::size_t all)>& progress,
+    const std::function<bool()>& go_on);
+
+/// The same for cases of one's own.
+[[nodiscard]] StabilityOutcome run_cases(
+    const std::vector<const StabilityCase*>& cases, int workers,
+    const std::function<void(std::size_t done, std::size_t all)>& progress,
+    const std::function<bool()>& go_on);
+
+/// A table for the terminal, with the figures of each case and a line that sums up.
+[[nodiscard]] std::string stability_text(const StabilityOutcome& outcome);
+
+/// A page that needs no network.
+[[nodiscard]] std::string stability_html(const StabilityOutcome& outcome);
+
+/// A line a case: name, group, verdict, seconds, must, seen.
+[[nodiscard]] std::string stability_csv(const StabilityOutcome& outcome);
+
+}  // namespace app::bench

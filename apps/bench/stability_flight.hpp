@@ -1,0 +1,43 @@
+/// Bodies of moving points that fly, turn and meet.
+#pragma once
+
+#include <vector>
+
+#include "libmpm/moving_solver.hpp"
+#include "libmpm/plan.hpp"
+#include "libmpm/scene.hpp"
+
+namespace app::bench {
+
+/// Void with room for bodies of a soft phase, label 1, in which waves run at 100 m/s: Young's modulus 10 MPa,
+/// density 1000 kg/m^3, no Poisson's effect. Pixels of 50 mm, no platens.
+[[nodiscard]] mpm::Scene sky(int rows, int cols);
+
+/// Puts a disc there; places in pixels from the lower left corner.
+void add_disc(mpm::Scene& scene, double x, double y, double radius);
+
+/// Sums over points.
+struct Sums {
+  double mass = 0;     ///< [kg/m]
+  double px = 0;       ///< momentum [kg/s]
+  double py = 0;       ///< [kg/s]
+  double x = 0;        ///< centre of mass [m]
+  double y = 0;        ///< [m]
+  double spin = 0;     ///< angular momentum about that centre [kg m/s]
+  double kinetic = 0;  ///< [J/m]
+};
+[[nodiscard]] Sums sums_of(const std::vector<mpm::PointView>& points);
+
+/// A scene with its plan and its solver.
+struct Flight {
+  mpm::Scene scene;
+  mpm::Plan plan;
+  mpm::MovingSolver<double> solver;
+
+  explicit Flight(mpm::Scene what)
+      : scene(std::move(what)), plan(mpm::plan(scene)), solver(scene, plan, mpm::start_of(scene, plan)) {}
+  Flight(const Flight&) = delete;
+  Flight& operator=(const Flight&) = delete;
+};
+
+}  // namespace app::bench

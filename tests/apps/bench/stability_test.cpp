@@ -1,0 +1,53 @@
+#include "apps/bench/stability.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/bench/made_up_cases.hpp"
+
+namespace {
+
+using namespace app::bench;
+
+TEST(Stability, HoldsWhenEveryCaseHolds) {
+  EXPECT_TRUE(test::run_made_up({0}).holds());
+  EXPECT_FALSE(test::run_made_up({0, 1}).holds());
+  EXPECT_FALSE(test::run_made_up({2}).holds());
+  EXPECT_FALSE(test::run_made_up({}).holds()) << "nothing was shown";
+}
+
+TEST(Stability, TakesWhatACaseThrowsForItsFinding) {
+  const StabilityOutcome outcome = test::run_made_up({2, 0}, 2);
+  EXPECT_EQ(outcome.rows[0].finding.seen, "it threw: no memory");
+  EXPECT_TRUE(outcome.rows[0].done);
+  EXPECT_TRUE(outcome.rows[1].finding.holds) << "the others go on";
+}
+
+TEST(Stability, DoesNotHoldWhenItWasInterrupted) {
+  const StabilityOutcome outcome =
+      test::run_made_up({0, 0}, 1, [calls = 0]() mutable { return ++calls < 2; });
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_TRUE(outcome.rows[0].done);
+  EXPECT_FALSE(outcome.rows[1].done);
+  EXPECT_FALSE(outcome.holds());
+}
+
+// The quick ones, each of which stands for a group.
+TEST(Stability, QuickCasesHold) {
+  std::size_t last = 0;
+  const StabilityOutcome outcome = run_stability(
+      {{"density-contrast", "nothing-carries", "weibull", "checkerboard", "point-on-a-node",
+        "point-beside-a-node", "step-chains", "worst-point", "stepwise", "gap-gimp", "single-precision"},
+       1},
+      [&](std::size_t done, std::size_t all) {
+        EXPECT_EQ(all, 11U);
+        EXPECT_EQ(done, last + 1);
+        last = done;
+      },
+      {});
+  EXPECT_EQ(last, 11U);
+  for (const StabilityRow& row : outcome.rows)
+    EXPECT_TRUE(row.finding.holds) << row.name << ": " << row.finding.seen;
+}
+
+}  // namespace
