@@ -75,7 +75,8 @@ TEST(PatchTest, ConstantStrainRateIsExactOnIrregularPoints) {
     const int steps = 150;
     drive(stage, steps);
     // x and F grow by the same factor A = I + dt L in each step, J by det A, and the stress by what Jaumann's
-    // rate with tan(turn) = spin makes of it: a 3 x 3 map, applied here step by step.
+    // rate makes of M = dt L (I + dt L / 2)^-1, the gradient halfway through the step, with tan(turn / 2) =
+    // spin / 2: a 3 x 3 map, applied here step by step.
     const double dt = stage.step.dt;
     const double a[4] = {1 + dt * stretch[0], dt * stretch[1], dt * stretch[2], 1 + dt * stretch[3]};
     double power[4] = {1, 0, 0, 1};
@@ -87,7 +88,13 @@ TEST(PatchTest, ConstantStrainRateIsExactOnIrregularPoints) {
       power[3] = a[2] * p[1] + a[3] * p[3];
     }
     const double j = std::pow(a[0] * a[3] - a[1] * a[2], steps);
-    const double angle = 2 * std::atan(0.5 * dt * (stretch[2] - stretch[1]));
+    const double half[4] = {0.5 * (1 + a[0]), 0.5 * a[1], 0.5 * a[2], 0.5 * (1 + a[3])};
+    const double per = dt / (half[0] * half[3] - half[1] * half[2]);
+    const double m[4] = {per * (stretch[0] * half[3] - stretch[1] * half[2]),
+                         per * (stretch[1] * half[0] - stretch[0] * half[1]),
+                         per * (stretch[2] * half[3] - stretch[3] * half[2]),
+                         per * (stretch[3] * half[0] - stretch[2] * half[1])};
+    const double angle = 4 * std::atan(0.25 * (m[2] - m[1]));
     stage.for_each_point([&](const auto& slot) {
       const auto value = [&](int f) { return stage.points.value(slot, f); };
       const State& old = before.at(stage.points.id(slot));
@@ -102,12 +109,12 @@ TEST(PatchTest, ConstantStrainRateIsExactOnIrregularPoints) {
       double s[3] = {old.stress[0], old.stress[1], old.stress[2]};
       for (int i = 0; i < steps; ++i) {
         const double mean = 0.5 * (s[0] + s[1]);
-        const double half = 0.5 * (s[0] - s[1]);
-        const double turned = half * std::cos(angle) - s[2] * std::sin(angle);
-        const double volumetric = 2 * dt * (stretch[0] + stretch[3]);
-        s[2] = half * std::sin(angle) + s[2] * std::cos(angle) + 3 * dt * (stretch[1] + stretch[2]);
-        s[0] = mean + turned + volumetric + 6 * dt * stretch[0];
-        s[1] = mean - turned + volumetric + 6 * dt * stretch[3];
+        const double deviator = 0.5 * (s[0] - s[1]);
+        const double turned = deviator * std::cos(angle) - s[2] * std::sin(angle);
+        const double volumetric = 2 * (m[0] + m[3]);
+        s[2] = deviator * std::sin(angle) + s[2] * std::cos(angle) + 3 * (m[1] + m[2]);
+        s[0] = mean + turned + volumetric + 6 * m[0];
+        s[1] = mean - turned + volumetric + 6 * m[3];
       }
       EXPECT_NEAR(value(mpm::moving::sxx), s[0], 1e-12);
       EXPECT_NEAR(value(mpm::moving::syy), s[1], 1e-12);
