@@ -9,7 +9,10 @@
 #include "apps/bench/error_report.hpp"
 #include "apps/bench/feature_study.hpp"
 #include "apps/bench/problem_table.hpp"
+#include "apps/bench/stability.hpp"
+#include "apps/bench/stability_table.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/reproduce/job_pool.hpp"
 #include "apps/run_location.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/terminal_line.hpp"
@@ -25,6 +28,9 @@ constexpr const char* footer =
     "in "
     "many ways;\n"
     "           error_vs_time.html, error.csv, a chart a problem and the cheapest way to 5, 1 and 0.1 %\n"
+    "stability  the limits of the solver, each with what must come of it; stability.html and stability.csv; "
+    "fails when\n"
+    "           one does not hold\n"
     "features   the cost of every feature that a scene can leave out, with and without, and whether the "
     "results "
     "agree;\n"
@@ -33,7 +39,7 @@ constexpr const char* footer =
     "  mesopix bench error --problem bar --problem inclusion -o runs/error";
 
 const std::vector<std::string>& benches() {
-  static const std::vector<std::string> names{"error", "features"};
+  static const std::vector<std::string> names{"error", "stability", "features"};
   return names;
 }
 
@@ -55,10 +61,13 @@ class CountLine {
 }  // namespace
 
 BenchCommand::BenchCommand(CLI::App& program)
-    : Command(program, "bench", "Measure error against run time, and what features cost", footer) {
+    : Command(program, "bench", "Measure error against run time, stability, and what features cost", footer) {
   options().add_option("WHAT", what_, listed(benches()))->type_name("");
   options()
       .add_option("--problem", problems_, "error: problem to solve, e.g. bar; may be given again [all]")
+      ->type_name("NAME");
+  options()
+      .add_option("--case", cases_, "stability: case to run, e.g. contrast; may be given again [all]")
       ->type_name("NAME");
   options()
       .add_option("-o,--output", output_, "folder [runs/bench-WHAT, runs/bench-WHAT-2, ...]")
@@ -78,7 +87,11 @@ Exit BenchCommand::run(Console& console) {
   if (what_ != "error" && !problems_.empty())
     throw Rejected(Exit::usage,
                    complaint("--problem", "given with " + what_, "belongs to mesopix bench error"));
-  return what_ == "error" ? run_error(console) : run_features(console);
+  if (what_ != "stability" && !cases_.empty())
+    throw Rejected(Exit::usage,
+                   complaint("--case", "given with " + what_, "belongs to mesopix bench stability"));
+  if (what_ == "error") return run_error(console);
+  return what_ == "stability" ? run_stability(console) : run_features(console);
 }
 
 Exit BenchCommand::run_error(Console& console) const {
@@ -99,6 +112,30 @@ Exit BenchCommand::run_error(Console& console) const {
   if (results.size() == problems.size()) return Exit::ok;
   console.say("interrupted; the problems that were done are kept");
   return Exit::interrupted;
+}
+
+Exit BenchCommand::run_stability(Console& console) const {
+  static_cast<void>(bench::select_cases(cases_));  // before a folder is made
+  const FreshFolder folder(make_run_folder(output_, "bench-stability", overwrite_));
+  const InterruptGuard guard;
+  const bench::StabilityOutcome outcome = [&] {
+    CountLine line(console);
+    return bench::run_stability(
+        {cases_, reproduce::core_count()}, [&](std::size_t done, std::size_t all) { line.show(done, all); },
+        [&] { return !guard.interrupted(); });
+  }();
+  mpm::replace_file((folder.path() / "stability.csv").string(), bench::stability_csv(outcome));
+  mpm::replace_file((folder.path() / "stability.html").string(), bench::stability_html(outcome));
+  if (!console.quiet) console.out << bench::stability_text(outcome);
+  console.say("wrote " + folder.path().string());
+  if (guard.interrupted()) {
+    console.say("interrupted; the cases that were done are kept");
+    return Exit::interrupted;
+  }
+  if (!outcome.holds())
+    throw Rejected(Exit::internal,
+                   complaint("bench stability", "a case does not hold", "see " + folder.path().string()));
+  return Exit::ok;
 }
 
 Exit BenchCommand::run_features(Console& console) const {

@@ -12,10 +12,12 @@ class BenchCommand : public Command {
 
  private:
   Exit run_error(Console& console) const;
+  Exit run_stability(Console& console) const;
   Exit run_features(Console& console) const;
 
   std::string what_;
   std::vector<std::string> problems_;
+  std::vector<std::string> cases_;
   std::string output_;
   bool overwrite_ = false;
   bool quiet_ = false;

@@ -158,7 +158,14 @@ output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, Console& con
 void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   if (!outcome.divergence.empty()) {
     job.notes.push_back(outcome.divergence);
-  } else if (const std::string note = energy_note(outcome.result, job.scene); !note.empty()) {
+    return;
+  }
+  if (outcome.result.nothing_carries) {
+    job.notes.push_back("nothing carries load any more: every point has failed; the run ended at strain " +
+                        strain_text(outcome.result.history.back().strain));
+    console.say("note: " + job.notes.back());
+  }
+  if (const std::string note = energy_note(outcome.result, job.scene); !note.empty()) {
     job.notes.push_back(note);
     const bool expected = job.scene.kinematics != mpm::Kinematics::small_strain;
     console.say((expected ? "note: " : "warning: ") + note);

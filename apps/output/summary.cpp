@@ -93,6 +93,7 @@ json figures_of(const mpm::Result& result) {
           {"energy_error", result.energy_error},
           {"instruction_set", result.instruction_set},
           {"threads", result.threads},
+          {"nothing_carries", result.nothing_carries},
           {"stop_reason", output::word_of(result.stop)}};
 }
 

@@ -55,15 +55,33 @@ TEST_F(BenchCommand, WritesErrorsAgainstRunTime) {
 }
 
 TEST_F(BenchCommand, RefusesWhatItDoesNotKnow) {
-  expect_refusal({}, "WHAT: missing; must be error or features; mesopix bench error");
-  expect_refusal({"errors"}, "WHAT: errors; must be error or features; did you mean error?");
+  expect_refusal({}, "WHAT: missing; must be error, stability or features; mesopix bench error");
+  expect_refusal({"errors"}, "WHAT: errors; must be error, stability or features; did you mean error?");
   expect_refusal(
       {"error", "--problem", "bars"},
       "--problem: bars; must be tension, modulus, bar, manufactured, inclusion, hole, layers, spin, "
       "collision or flight; did you mean bar?");
   expect_refusal({"features", "--problem", "bar"},
                  "--problem: given with features; belongs to mesopix bench error");
-  expect_refusal({"error", "--cases", "bar"}, "--cases: unknown option; mesopix bench --help lists them");
+  expect_refusal({"error", "--case", "contrast"},
+                 "--case: given with error; belongs to mesopix bench stability");
+  expect_refusal({"error", "--cases", "bar"},
+                 "--cases: unknown option; did you mean --case?; mesopix bench --help lists them");
+}
+
+TEST_F(BenchCommand, RunsCasesOfStability) {
+  ASSERT_EQ(run({"stability", "--case", "contrast", "--case", "extreme-draws"}), Exit::ok) << err_.str();
+  EXPECT_THAT(out_.str(), HasSubstr("contrast"));
+  EXPECT_EQ(err_.str(), "wrote runs/bench-stability\n");
+  const std::string csv = test::read_text("runs/bench-stability/stability.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+  EXPECT_THAT(test::read_text("runs/bench-stability/stability.html"), HasSubstr("extreme-draws"));
+}
+
+TEST_F(BenchCommand, MakesNoFolderForACaseThatIsNotThere) {
+  EXPECT_EQ(run({"stability", "--case", "contrasts"}), Exit::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("did you mean contrast?"));
+  EXPECT_FALSE(fs::exists("runs"));
 }
 
 }  // namespace

@@ -86,6 +86,26 @@ TEST_F(SimulateCommand, ChoosesWhatAToleranceAsksForAndWritesItDown) {
   EXPECT_EQ(test::read_text("run/curve.csv"), test::read_text("again/curve.csv"));
 }
 
+// A strip one cell high, whose points all have nearly the same strength.
+TEST_F(SimulateCommand, SaysWhenNothingCarriesLoadAnyMore) {
+  test::write_text(
+      "strip.pgm", "P2\n16 2\n255\n" + [] {
+        std::string values;
+        for (int i = 0; i < 32; ++i) values += "2\n";
+        return values;
+      }());
+  test::write_text("strip.toml",
+                   "[specimen]\npicture = \"strip.pgm\"\n[convert]\nmethod = \"labels\"\nwidth = \"16 mm\"\n"
+                   "label_phases = [\"2: mortar\"]\n[itz]\nmode = \"none\"\n[phases.mortar]\n"
+                   "weibull_modulus = 100\n[loading]\nvelocity = \"20 m/s\"\nstop_strain = 0.05\n");
+  ASSERT_EQ(run({"strip.toml", "-o", "run"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(),
+              HasSubstr("note: nothing carries load any more: every point has failed; the run ended at"));
+  const json figures = json::parse(test::read_text("run/summary.json"));
+  EXPECT_EQ(figures["nothing_carries"], true);
+  EXPECT_EQ(figures["tension_failures"], 32);
+}
+
 TEST_F(SimulateCommand, RefusesWhatDoesNotGoTogether) {
   expect_refusal({"scene.toml", "--tolerance", "1"}, Exit::usage, "--tolerance: 1; must lie in (0, 1)");
   expect_refusal({"scene.toml", "--tolerance", "1 %", "--estimate-error"}, Exit::usage,

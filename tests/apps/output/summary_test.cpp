@@ -24,6 +24,7 @@ TEST(Summary, HoldsTheFiguresOfTheResult) {
   EXPECT_EQ(figures["energy_error"], 2.3e-4);
   EXPECT_EQ(figures["instruction_set"], "avx512");
   EXPECT_EQ(figures["stop_reason"], "strain");
+  EXPECT_EQ(figures["nothing_carries"], false);
   EXPECT_EQ(figures["end_strain"], run.result.history.back().strain);
 }
 
@@ -103,6 +104,19 @@ TEST(Summary, AddsUpOverThePhases) {
   EXPECT_EQ(tension, run.result.tension_failures);
   EXPECT_EQ(shear, run.result.shear_failures);
   EXPECT_EQ(points, run.result.points);
+}
+
+TEST(Summary, HoldsWhatMayBeWrongOnlyWhereThatWasAskedFor) {
+  const FakeRun run = tension_run(40);
+  RunRecord record = run.record();
+  EXPECT_FALSE(summary(record).contains("error_estimate"));
+  record.error_estimate.sources = {{"loading rate", "0.025 m/s", 3.4e6, 150e-6, 0.01, 0.02, 1.5},
+                                   {"time step", "CFL 0.25", 3.5e6, 149e-6, 0.002, 0.001, 3}};
+  const auto estimate = summary(record)["error_estimate"];
+  EXPECT_DOUBLE_EQ(estimate["peak_stress_error"].get<double>(), 0.012);
+  EXPECT_DOUBLE_EQ(estimate["peak_strain_error"].get<double>(), 0.021);
+  EXPECT_DOUBLE_EQ(estimate["wall_s"].get<double>(), 4.5);
+  EXPECT_EQ(estimate["sources"][1]["compared_with"], "CFL 0.25");
 }
 
 }  // namespace

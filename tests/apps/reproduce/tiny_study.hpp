@@ -1,4 +1,5 @@
-/// A study that takes a moment: specimens of 24 mm with pixels of 1 mm, two coarse aggregates, and no fine pixels.
+/// A study that takes a moment: specimens of 24 mm with pixels of 1 mm, two coarse aggregates, and no fine
+/// pixels.
 #pragma once
 
 #include "apps/reproduce/figure.hpp"
