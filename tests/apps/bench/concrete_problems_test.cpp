@@ -22,7 +22,7 @@ TEST(ConcreteProblems, SlowerLoadingIsMoreExact) {
   const auto results = study_errors({problem}, {});
   EXPECT_GT(results[0].reference_value, 1e6);
   const auto& samples = method_named(results[0], "small strain").samples;
-  EXPECT_LT(samples.back().error, 0.01);
+  EXPECT_LT(samples.back().error, 0.03);
   EXPECT_LT(samples.back().error, samples.front().error);
 }
 
