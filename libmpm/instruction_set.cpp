@@ -8,16 +8,14 @@ namespace mpm {
 
 std::vector<const kernels::Kernels*> available_kernels() {
   std::vector<const kernels::Kernels*> available;
-#ifdef __x86_64__
+#ifdef MPM_WIDE_KERNELS
   // x86-64-v4 and x86-64-v3, by the features that the compiler may use in them.
   const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                   __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-#ifdef MPM_AVX512
   const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                   __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                   __builtin_cpu_supports("avx512vl");
   if (v4) available.push_back(&kernels::avx512);
-#endif
   if (v3) available.push_back(&kernels::avx2);
 #endif
   available.push_back(&kernels::baseline);
@@ -37,10 +35,8 @@ const kernels::Kernels& chosen_kernels(std::string_view name) {
 
 const moving::Kernels& chosen_moving_kernels(std::string_view name) {
   const kernels::Kernels& same = chosen_kernels(name);
-#ifdef MPM_AVX512
+#ifdef MPM_WIDE_KERNELS
   if (&same == &kernels::avx512) return moving::avx512;
-#endif
-#ifdef __x86_64__
   if (&same == &kernels::avx2) return moving::avx2;
 #endif
   (void)same;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "apps/output/html.hpp"
 #include "apps/output/key_figures.hpp"
@@ -140,16 +141,19 @@ nlohmann::json json_of(const Outcomes::Entry& entry) {
 }  // namespace
 
 std::string verdict_counts(const std::vector<Claim>& claims) {
-  const std::vector<std::pair<Verdict, std::string>> words{
-      {Verdict::agrees, "agree with this run"},
-      {Verdict::disagrees, "disagree"},
-      {Verdict::depends, "depend on a choice or on chance"}};
+  struct Words {
+    Verdict verdict;
+    const char *one, *many;
+  };
+  constexpr std::array words{
+      Words{Verdict::agrees, "agrees with this run", "agree with this run"},
+      Words{Verdict::disagrees, "disagrees", "disagree"},
+      Words{Verdict::depends, "depends on a choice or on chance", "depend on a choice or on chance"}};
   std::vector<std::string> parts;
-  for (const auto& [verdict, word] : words) {
-    const auto count = std::count_if(claims.begin(), claims.end(), [verdict = verdict](const Claim& claim) {
-      return claim.verdict == verdict;
-    });
-    if (count > 0) parts.push_back(fmt::format("{} {}", count, word));
+  for (const Words& it : words) {
+    const auto count = std::count_if(claims.begin(), claims.end(),
+                                     [&](const Claim& claim) { return claim.verdict == it.verdict; });
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? it.one : it.many));
   }
   return output::listed(parts);
 }

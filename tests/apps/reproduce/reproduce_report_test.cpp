@@ -84,4 +84,11 @@ TEST(ReproduceReport, HasNoHeadingForClaimsThatThereAreNot) {
   EXPECT_THAT(report_html(everything()), HasSubstr("<h2>Claims</h2>"));
 }
 
+TEST(ReproduceReport, CountsVerdictsInWords) {
+  const auto claim = [](Verdict verdict) { return Claim{"id", "1", "said", "seen", verdict, "why"}; };
+  EXPECT_EQ(verdict_counts({claim(Verdict::agrees), claim(Verdict::depends), claim(Verdict::agrees)}),
+            "2 agree with this run and 1 depends on a choice or on chance");
+  EXPECT_EQ(verdict_counts({claim(Verdict::disagrees)}), "1 disagrees");
+}
+
 }  // namespace
