@@ -22,33 +22,35 @@ double best_seconds(int repeats, Work&& work) {
   return best;
 }
 
-constexpr int chains = 16;  // enough independent multiply-adds to hide their latency on two units
+// Enough independent multiply-adds to hide their latency on two units, and few enough to stay in registers.
+constexpr int chains = 12;
 constexpr std::int64_t rounds = 2'000'000;
 
-// 64-byte vectors of the compiler: one register with AVX-512, two with AVX2, four without either.
-template <class Real>
-struct Wide {
-  using Vector [[gnu::vector_size(64)]] = Real;
+/// Sum of chains of multiply-adds on vectors of the given width, which must be that of the registers: a wider
+/// one is passed through memory.
+template <class Real, int bytes>
+struct Chains {
+  using Vector [[gnu::vector_size(bytes)]] = Real;
+  static constexpr int lanes = bytes / static_cast<int>(sizeof(Real));
+
+  [[gnu::always_inline]] static inline Real run(Real factor) {
+    Vector sums[chains];
+    const Vector f = factor - Vector{};
+    for (int c = 0; c < chains; ++c) sums[c] = f + Real(c);
+    for (std::int64_t i = 0; i < rounds; ++i) {
+#pragma GCC unroll 12
+      for (int c = 0; c < chains; ++c) sums[c] = sums[c] * f + f;
+    }
+    Real total = 0;
+    for (const auto& sum : sums)
+      for (int lane = 0; lane < lanes; ++lane) total += sum[lane];
+    return total;
+  }
 };
 
 template <class Real>
-[[gnu::always_inline]] inline Real chain_body(Real factor) {
-  typename Wide<Real>::Vector sums[chains];
-  typename Wide<Real>::Vector f = factor - typename Wide<Real>::Vector{};
-  for (int c = 0; c < chains; ++c) sums[c] = f + Real(c);
-  for (std::int64_t i = 0; i < rounds; ++i) {
-#pragma GCC unroll 16
-    for (int c = 0; c < chains; ++c) sums[c] = sums[c] * f + f;
-  }
-  Real total = 0;
-  for (const auto& sum : sums)
-    for (std::size_t lane = 0; lane < 64 / sizeof(Real); ++lane) total += sum[lane];
-  return total;
-}
-
-template <class Real>
 Real chain_baseline(Real factor) {
-  return chain_body(factor);
+  return Chains<Real, 16>::run(factor);
 }
 #ifdef __x86_64__
 #ifdef __clang__
@@ -58,26 +60,31 @@ Real chain_baseline(Real factor) {
 #endif
 template <class Real>
 [[gnu::target(MESOPIX_AVX512)]] Real chain_avx512(Real factor) {
-  return chain_body(factor);
+  return Chains<Real, 64>::run(factor);
 }
 template <class Real>
 [[gnu::target("avx2,fma")]] Real chain_avx2(Real factor) {
-  return chain_body(factor);
+  return Chains<Real, 32>::run(factor);
 }
 #endif
 
 template <class Real>
 double peak_flops() {
   Real (*chain)(Real) = chain_baseline<Real>;
+  int bytes = 16;
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) {
     chain = chain_avx512<Real>;
-  else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    bytes = 64;
+  } else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     chain = chain_avx2<Real>;
+    bytes = 32;
+  }
 #endif
   volatile Real sink = 0;
   const double seconds = best_seconds(5, [&] { sink = chain(Real(1e-9)); });
-  return 2.0 * (64.0 / sizeof(Real)) * chains * static_cast<double>(rounds) / seconds;
+  const double lanes = bytes / static_cast<double>(sizeof(Real));
+  return 2.0 * lanes * chains * static_cast<double>(rounds) / seconds;
 }
 
 double copy_bandwidth() {
