@@ -146,9 +146,36 @@ Settled settle(Search& search, Candidate coarse, const Refinement& by, double li
   }
 }
 
-/// Runs at rates that are halved from one to the next. The peak goes with the rate, but for a scatter of some
-/// tenths of a per cent from the order of failures, so that a line through the last three tells more than the
-/// last two.
+/// What a quantity of a test comes to at rest, and by how much that may be wrong: a straight line through
+/// runs at rates of 4, 2 and 1, by least squares, and its standard error there. A run scatters about the
+/// line, for its rate also changes the order in which points fail.
+struct AtRest {
+  double value, deviation;
+};
+AtRest at_rest(double fast, double middle, double slow) {
+  const double slope = (5 * fast - middle - 4 * slow) / 14;  // per rate of 1
+  const double value = (fast + middle + slow) / 3 - slope * 7 / 3;
+  const double residuals =
+      std::hypot(fast - value - 4 * slope, middle - value - 2 * slope, slow - value - slope);
+  return {value, std::sqrt(1.5) * residuals};  // one degree of freedom is left
+}
+
+/// Error of one of three runs at rates of 4, 2 and 1.
+ErrorSource rate_source(const mpm::Result& of, const mpm::Result& fast, const mpm::Result& middle,
+                        const mpm::Result& slow) {
+  const auto error = [&](double mpm::Result::*quantity) {
+    const AtRest rest = at_rest(fast.*quantity, middle.*quantity, slow.*quantity);
+    return of.*quantity == 0 ? 0
+                             : margin * (std::abs(of.*quantity - rest.value) + rest.deviation) / of.*quantity;
+  };
+  ErrorSource source;
+  source.name = "loading rate";
+  source.stress_error = error(&mpm::Result::peak_stress);
+  source.strain_error = error(&mpm::Result::peak_strain);
+  return source;
+}
+
+/// Runs at rates that are halved from one to the next, of which the last three tell the error.
 class RateLadder {
  public:
   void add(const Candidate& candidate) {
@@ -159,26 +186,36 @@ class RateLadder {
 
   /// Of the slowest of at least two runs.
   [[nodiscard]] ErrorSource error() const {
-    const Candidate& slowest = rungs_.back();
-    ErrorSource source = source_of("loading rate", velocity_text(rungs_[rungs_.size() - 2].scene), 1,
-                                   slowest.result, rungs_[rungs_.size() - 2].result);
-    if (rungs() < 3) return source;
-    source.stress_error = margin * std::abs(rise(&mpm::Result::peak_stress)) / slowest.result.peak_stress;
-    source.strain_error = margin * std::abs(rise(&mpm::Result::peak_strain)) / slowest.result.peak_strain;
+    const Candidate& slowest = at(1);
+    if (rungs() < 3)
+      return source_of("loading rate", velocity_text(at(2).scene), 1, slowest.result, at(2).result);
+    ErrorSource source = rate_source(slowest.result, at(3).result, at(2).result, slowest.result);
+    source.compared = velocity_text(at(2).scene);
+    source.peak_stress = at(2).result.peak_stress;
+    source.peak_strain = at(2).result.peak_strain;
+    source.wall_time = at(2).result.wall_time;
     return source;
   }
 
  private:
-  /// By how much a quantity rises from rest to the slowest rate, by least squares over rates of 1, 2 and 4.
-  [[nodiscard]] double rise(double mpm::Result::*quantity) const {
-    const auto at = [&](std::size_t back) { return rungs_[rungs_.size() - back].result.*quantity; };
-    return (-4 * at(1) - at(2) + 5 * at(3)) / 14;
-  }
+  [[nodiscard]] const Candidate& at(std::size_t back) const { return rungs_[rungs_.size() - back]; }
 
   std::vector<Candidate> rungs_;
 };
 
 constexpr std::size_t most_halvings = 7;  ///< of the loading rate
+
+/// From runs at half and at a quarter of the rate.
+ErrorSource rate_error(const mpm::Scene& scene, const mpm::Result& base, const Solve& solve) {
+  const mpm::Scene slow = slower(scene), slowest = slower(slow);
+  const mpm::Result half = solve(slow), quarter = solve(slowest);
+  ErrorSource source = rate_source(base, base, half, quarter);
+  source.compared = output::trimmed(slow.loading.velocity, 4) + ", " + velocity_text(slowest);
+  source.peak_stress = quarter.peak_stress;
+  source.peak_strain = quarter.peak_strain;
+  source.wall_time = half.wall_time + quarter.wall_time;
+  return source;
+}
 
 }  // namespace
 
@@ -189,8 +226,7 @@ output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result&
                        double share) {
     estimate.sources.push_back(source_of(name, compared, share, base, solve(other)));
   };
-  const mpm::Scene slow = slower(shorter);
-  add("loading rate", slow, velocity_text(slow), 2);
+  estimate.sources.push_back(rate_error(shorter, base, solve));
   const mpm::Scene short_steps = with_half_the_step(shorter);
   add("time step", short_steps, cfl_text(short_steps), 2);
   const mpm::Scene other = in_other_precision(shorter);

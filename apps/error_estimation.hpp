@@ -13,12 +13,13 @@ namespace app {
 using Solve = std::function<mpm::Result(const mpm::Scene&)>;
 
 /// Error of the peak of `base`, the result of a scene with platens, from runs that end soon after the peak:
-/// at half the loading rate, with half the step, in the other precision, and with pixels twice as large.
-/// Rate and step are taken to be of first order, so that the error is twice what halving them changes; pixels
-/// too, so that it is what doubling them changes; of precision it is the difference. All have a margin of a
-/// quarter. Where points fail, a different order of failures moves the peak by some tenths of a per cent, and
-/// no estimate is better than that. Source: Roache, Verification and Validation in Computational Science and
-/// Engineering (1998): the grid convergence index.
+/// at a half and a quarter of the loading rate, with half the step, in the other precision, and with pixels
+/// twice as large. Where points fail, each run scatters: another order of failures moves the peak, by some
+/// per cent on coarse pixels. So the error of the rate is the distance to the line through the three rates at
+/// rest, and the standard error of that line there. The step is taken to be of first order, so that the error
+/// is twice what halving it changes; pixels too, so that it is what doubling them changes; of precision it is
+/// the difference. All have a margin of a quarter. Source: Roache, Verification and Validation in
+/// Computational Science and Engineering (1998): the grid convergence index.
 [[nodiscard]] output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result& base,
                                                    const Solve& solve);
 

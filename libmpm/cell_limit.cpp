@@ -106,7 +106,8 @@ double cell_limit(const Scene& scene, const Plan& plan) {
     }
     largest = std::max(largest, largest_square(cells[cell], masses));
   }
-  return largest > 0 ? 2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+  return largest > 0 ? damped_share(scene.local_damping) * 2 / std::sqrt(largest)
+                     : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace mpm

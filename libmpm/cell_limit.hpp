@@ -6,9 +6,9 @@
 
 namespace mpm {
 
-/// Longest time step with which each cell alone is stable [s]: then all together are, as long as no local
-/// damping is at work, since failures take stiffness away and leave the mass. The true limit of the specimen
-/// is longer by some per cent, and no shorter.
+/// Longest time step with which each cell alone is stable [s]: then all together are, for
+/// failures take stiffness away and leave the mass. The true limit of the specimen is longer by some per
+/// cent, and no shorter.
 ///
 /// The mass of a node is shared out among its cells in proportion to their stiffness there. What platens hold
 /// is taken to be free, which only makes the limit shorter. Infinite where nothing has any stiffness.

@@ -21,14 +21,11 @@ double two_digits_below(double value) {
 }
 
 std::string cure(const Scene& scene, const Plan& plan, const Divergence& divergence) {
-  std::string text = "the time step of " + rounded(divergence.dt, 4) + " s is too long for this specimen; ";
-  const bool damped = scene.local_damping > 0;
+  const std::string text = "the time step of " + rounded(divergence.dt, 4) + " s is too long for this specimen; ";
   const double limit = divergence.moving ? Phase::unbreakable : cell_limit(scene, plan);
-  if (divergence.dt < limit)
-    return text + "try a smaller solver.cfl" + (damped ? " or a smaller solver.local_damping" : "");
-  text += "try a smaller solver.cfl: " + rounded(two_digits_below(scene.cfl * limit / plan.dt), 2) +
-          " is safe for each of its cells";
-  return damped ? text + ", with a smaller solver.local_damping" : text;
+  if (divergence.dt < limit) return text + "try a smaller solver.cfl";
+  return text + "try a smaller solver.cfl: " + rounded(two_digits_below(scene.cfl * limit / plan.dt), 2) +
+         " is safe for each of its cells";
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ class Catalogue {
 
  private:
   void add(std::string name, bool in, std::string why, double bytes, std::optional<Variant> other) {
-    entries_.push_back({{std::move(name), in, std::move(why), bytes, std::nullopt}, std::move(other)});
+    entries_.push_back({{std::move(name), in, std::move(why), bytes, std::nullopt}, other});
   }
   /// The planned run with its plan changed.
   [[nodiscard]] Variant changed(const std::function<void(Plan&)>& change) const {

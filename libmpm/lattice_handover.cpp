@@ -74,7 +74,8 @@ bool LatticeSolver<Real>::strains_more_than(double limit) const {
     for (int cell = 0; cell < plan_.cells_x; ++cell) {
       const CellDisplacement u = displacement(row, cell);
       for (int plane = 0; plane < points_.planes; ++plane) {
-        const CellGradient g = gradient_in_cell(u, (plane % k + 0.5) / k, (plane / k + 0.5) / k);
+        const int across = plane % k, upwards = plane / k;
+        const CellGradient g = gradient_in_cell(u, (across + 0.5) / k, (upwards + 0.5) / k);
         const double largest =
             0.5 * (std::abs(g.xx + g.yy) + std::hypot(g.xx - g.yy, g.xy + g.yx)) / plan_.cell_size;
         if (largest > limit && is_intact(row, plane, cell)) return true;

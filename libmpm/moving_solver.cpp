@@ -80,7 +80,8 @@ void MovingSolver<Real>::choose_time_step() {
   start_fastest_ = 0;
   if (!(wave > 0)) wave = *std::max_element(speeds_.begin(), speeds_.end());
   const double size = std::min(plan_.cell_size, cell_height(clock_.displacement));
-  const double dt = scene_.cfl * size / (wave + std::sqrt(static_cast<double>(fastest)));
+  const double dt = scene_.cfl * damped_share(scene_.local_damping) * size /
+                    (wave + std::sqrt(static_cast<double>(fastest)));
   clock_.dt = clock_.dt > 0 ? std::min(dt, 1.05 * clock_.dt) : dt;
   if (first_dt_ <= 0) first_dt_ = clock_.dt;
 }

@@ -177,6 +177,8 @@ void refuse_snap_back(const Scene& scene, double band) {
 
 }  // namespace
 
+double damped_share(double local_damping) { return 1 / std::sqrt(1 + local_damping); }
+
 Plan plan(const Scene& scene) {
   validate(scene);
   const auto phases = phases_present(scene);
@@ -190,7 +192,7 @@ Plan plan(const Scene& scene) {
     plan.wave_speed = std::max(plan.wave_speed, speed);
     slowest = std::min(slowest, speed);
   }
-  plan.dt = scene.cfl * plan.cell_size / plan.wave_speed;
+  plan.dt = scene.cfl * damped_share(scene.local_damping) * plan.cell_size / plan.wave_speed;
   plan.ramp_time = scene.loading.ramp_time < 0 ? 2 * scene.height() / slowest : scene.loading.ramp_time;
   plan.features = features_needed(scene, phases);
   plan.poisson = phases.front()->poisson;

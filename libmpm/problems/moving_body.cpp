@@ -41,8 +41,9 @@ Place rest_place(const Scene& scene, std::uint32_t id) {
   const auto pixels = static_cast<std::uint32_t>(scene.labels.size());
   if (id >= pixels) return {scene.extra_points[id - pixels].x, scene.extra_points[id - pixels].y};
   const auto cols = static_cast<std::uint32_t>(scene.labels.cols());
+  const std::uint32_t row = id / cols;
   return {(id % cols + 0.5) * scene.pixel_size,
-          (static_cast<double>(scene.labels.rows()) - id / cols - 0.5) * scene.pixel_size};
+          (static_cast<double>(scene.labels.rows()) - row - 0.5) * scene.pixel_size};
 }
 
 Sums sums_of(const std::vector<PointView>& points) {

@@ -67,7 +67,8 @@ template <class Real>
 /// Calls `solve` with a number of the precision that the method asks for.
 template <class Solve>
 auto in_precision(const Method& method, const Solve& solve) {
-  return method.precision == Precision::single ? solve(float()) : solve(double());
+  if (method.precision == Precision::single) return solve(float());
+  return solve(double());
 }
 
 }  // namespace mpm::problems

@@ -52,7 +52,7 @@ TEST(ErrorEstimate, FindsWhatEachSourceAdds) {
     compared.push_back(source.compared);
   }
   EXPECT_THAT(names, ElementsAre("loading rate", "time step", "precision", "pixel size"));
-  EXPECT_THAT(compared, ElementsAre("0.025 m/s", "CFL 0.25", "single", "2 mm"));
+  EXPECT_THAT(compared, ElementsAre("0.025, 0.0125 m/s", "CFL 0.25", "single", "2 mm"));
   const double base = made_up(scene).peak_stress / 4e6;
   EXPECT_NEAR(estimate.sources[0].stress_error, 1.25 * 0.1 * 0.05 / base, 1e-9);
   EXPECT_NEAR(estimate.sources[1].stress_error, 1.25 * 0.004 * 0.5 / base, 1e-9);
@@ -60,9 +60,27 @@ TEST(ErrorEstimate, FindsWhatEachSourceAdds) {
   EXPECT_NEAR(estimate.sources[3].stress_error, 1.25 * 0.02 / base, 1e-9);
   EXPECT_NEAR(estimate.stress_error(), 1.25 * (0.005 + 0.002 + 0.001 + 0.02) / base, 1e-9);
   EXPECT_EQ(estimate.strain_error(), 0);
-  EXPECT_EQ(estimate.wall_time(), 40 + 20 + 20 + 20);
+  EXPECT_EQ(estimate.wall_time(), 40 + 80 + 20 + 20 + 20);
   for (const mpm::Scene& other : solved)
     EXPECT_NEAR(other.loading.stop_strain, 1.3 * 2e-4, 1e-12) << "they need not go far past the peak";
+}
+
+// The rates 4, 2 and 1 give 10, 6 and 6, which lie on no line.
+TEST(ErrorEstimate, AddsTheScatterAboutTheLineThroughTheRates) {
+  const mpm::Scene scene = square(12);
+  const auto scattered = [&](const mpm::Scene& other) {
+    mpm::Result result;
+    result.peak_stress = other.loading.velocity == scene.loading.velocity ? 10 : 6;
+    result.peak_strain = 1e-4;
+    return result;
+  };
+  const auto estimate = app::estimate_error(scene, scattered(scene), scattered);
+  const double slope = (5 * 10 - 6 - 4 * 6) / 14.0;
+  const double rest = 22.0 / 3 - slope * 7 / 3;
+  const double deviation =
+      std::sqrt(1.5 * (std::pow(10 - rest - 4 * slope, 2) + std::pow(6 - rest - 2 * slope, 2) +
+                       std::pow(6 - rest - slope, 2)));
+  EXPECT_NEAR(estimate.sources[0].stress_error, 1.25 * (10 - rest + deviation) / 10, 1e-12);
 }
 
 TEST(ErrorEstimate, LeavesPixelsOfATinyPictureAlone) {

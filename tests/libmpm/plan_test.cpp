@@ -21,6 +21,8 @@ TEST(Plan, TimeStepAndStepsOfThePapersTensionTest) {
   scene.loading.ramp_time = 0;
   const mpm::Plan plan = mpm::plan(scene);
   EXPECT_NEAR(plan.dt, 0.5 * 1e-3 / std::sqrt(40e9 * 0.8 / (1.2 * 0.6) / 2400), 1e-20);
+  scene.local_damping = 0.44;  // as if it were stiffer by that
+  EXPECT_NEAR(mpm::plan(scene).dt, plan.dt / 1.2, 1e-20);
   EXPECT_EQ(plan.steps, 10328);  // 4e-4 x 0.15 m / 0.05 m/s / dt = 10,327.9
   EXPECT_EQ(plan.steps_per_row, 10);
 }
