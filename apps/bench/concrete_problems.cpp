@@ -49,7 +49,8 @@ Settings moving(const std::string& shape) {
 }  // namespace
 
 Problem tension_problem(const Settings& settings) {
-  const Settings common = joined({{"loading.stop_strain", "2e-4"}}, settings);
+  const Settings common = joined(
+      {{"loading.stop_strain", "2e-4"}, {"loading.stop_drop", "0.5"}, {"solver.cfl", "0.8"}}, settings);
   const auto over_velocity = [&](const std::string& name, const std::vector<double>& velocities,
                                  const Settings& more) {
     return method_of(name, "velocity", "m/s", velocities, velocity, joined(common, more), peak);
@@ -59,25 +60,23 @@ Problem tension_problem(const Settings& settings) {
       "The paper's tension test",
       "error of the peak stress",
       "a run with the platen at 0.01 m/s and CFL 0.25, in double precision",
-      "How slowly a test must be loaded, and what step, precision and kinematics add. Damping leads to "
-      "another "
-      "peak, for it takes from the cascades in which points overload each other. The last line takes "
-      "coarser "
-      "pixels instead: the law that fails points at once depends on them, so that it need not converge.",
+      "How slowly a test must be loaded, and what step, precision and kinematics add. Runs scatter by a "
+      "per cent or two, for each breaks in another order. Damping leads to another peak: it takes from the "
+      "cascades in which points overload each other. The last line takes coarser pixels instead: the law "
+      "that fails points at once depends on them, so that it need not converge, and is near by chance.",
       run_of(joined(common, {velocity(0.01), {"solver.cfl", "0.25"}}), peak),
       {}};
   const std::vector<double> slower{0.4, 0.2, 0.1, 0.05, 0.02};
-  problem.methods = {
-      over_velocity("small strain", slower, {}),
-      over_velocity("small strain CFL 0.9", slower, {{"solver.cfl", "0.9"}}),
-      over_velocity("small strain CFL 0.25", {0.4, 0.2, 0.1, 0.05}, {{"solver.cfl", "0.25"}}),
-      over_velocity("small strain single", slower, {{"solver.precision", "single"}}),
-      over_velocity("small strain, damping 0.1", {0.4, 0.2, 0.1, 0.05}, {{"solver.local_damping", "0.1"}}),
-      over_velocity("moving linear", {0.8, 0.4}, moving("linear")),
-      over_velocity("moving GIMP", {0.8, 0.4}, moving("gimp")),
-      over_velocity("moving B-spline", {0.8, 0.4}, moving("bspline")),
-      method_of("coarser pixels", "pixel", "mm", {2.5, 1.5, 1, 0.75}, pixel, joined(common, {velocity(0.05)}),
-                peak)};
+  problem.methods = {over_velocity("small strain CFL 0.8", slower, {{"solver.cfl", "0.8"}}),
+                     over_velocity("small strain CFL 0.5", slower, {{"solver.cfl", "0.5"}}),
+                     over_velocity("small strain CFL 0.25", {0.4, 0.2, 0.1, 0.05}, {{"solver.cfl", "0.25"}}),
+                     over_velocity("small strain single", slower, {{"solver.precision", "single"}}),
+                     over_velocity("small strain, damping 0.1", slower, {{"solver.local_damping", "0.1"}}),
+                     over_velocity("moving linear", {0.4, 0.2}, moving("linear")),
+                     over_velocity("moving GIMP", {0.4, 0.2}, moving("gimp")),
+                     over_velocity("moving B-spline", {0.4, 0.2}, moving("bspline")),
+                     method_of("coarser pixels", "pixel", "mm", {2.5, 1.5, 1, 0.75}, pixel,
+                               joined(common, {velocity(0.05)}), peak)};
   return problem;
 }
 

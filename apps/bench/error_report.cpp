@@ -42,11 +42,23 @@ std::string way_text(const Cheapest& way) {
                      size_text(*way.method, way.sample->size));
 }
 
-output::Chart chart_of(const ProblemResult& result) {
+/// What a run costs, as an axis.
+struct Cost {
+  const char* name;
+  output::Axis axis;
+  double (*of)(const Sample&);
+};
+const Cost wall_time{
+    "wall time", {"Wall time", "s", true}, [](const Sample& sample) { return sample.wall_time; }};
+const Cost point_updates{"point-updates", {"Point-updates", "", true}, [](const Sample& sample) {
+                           return static_cast<double>(sample.point_updates);
+                         }};
+
+output::Chart chart_of(const ProblemResult& result, const Cost& cost) {
   constexpr std::array inks{output::Ink::first, output::Ink::second, output::Ink::third, output::Ink::fourth,
                             output::Ink::fifth};
-  output::Chart chart{"Error against wall time: " + result.problem.title,
-                      {"Wall time", "s", true},
+  output::Chart chart{fmt::format("Error against {}: {}", cost.name, result.problem.title),
+                      cost.axis,
                       {"Error", "", true},
                       {},
                       {}};
@@ -54,9 +66,9 @@ output::Chart chart_of(const ProblemResult& result) {
     const MethodResult& method = result.methods[i];
     output::Series series{method.method->name, {}, {}, inks[i % inks.size()], i / inks.size() % 2 == 1, true};
     for (const Sample& sample : method.samples) {
-      series.x.push_back(sample.wall_time);
+      series.x.push_back(cost.of(sample));
       series.y.push_back(sample.error);
-      if (sample.in_front) chart.markers.push_back({sample.wall_time, sample.error, ""});
+      if (sample.in_front) chart.markers.push_back({cost.of(sample), sample.error, ""});
     }
     chart.series.push_back(std::move(series));
   }
@@ -95,10 +107,14 @@ std::string problem_html(const ProblemResult& result) {
   return output::section(
       problem.title,
       output::paragraph(output::capitalised(problem.quantity) + ". " + answer + ".") +
-          output::chart_figure(chart_of(result), chart_width, chart_height,
+          output::chart_figure(chart_of(result, wall_time), chart_width, chart_height,
                                "Along a line the problem is refined. A black dot: no other run is "
                                "both faster and more exact.") +
-          output::number_table({"", "From … to", "Error", "Order", "Finest takes"}, rows) +
+          "<details><summary>The same against the number of point-updates, which no machine "
+          "changes</summary>\n" +
+          output::chart_figure(chart_of(result, point_updates), chart_width, chart_height,
+                               "Black dots: the runs that are in front by wall time.") +
+          "</details>\n" + output::number_table({"", "From … to", "Error", "Order", "Finest takes"}, rows) +
           "<div class=\"remarks\">\n" + output::paragraph(problem.remark) + troubles_of(result) + "</div>\n");
 }
 
@@ -141,7 +157,7 @@ std::string error_html(const std::vector<ProblemResult>& results) {
 }
 
 std::string error_png(const ProblemResult& result) {
-  return output::png_of(output::lay_out(chart_of(result), chart_width, chart_height), 2, 12);
+  return output::png_of(output::lay_out(chart_of(result, wall_time), chart_width, chart_height), 2, 12);
 }
 
 std::string error_csv(const std::vector<ProblemResult>& results) {

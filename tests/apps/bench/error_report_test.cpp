@@ -35,6 +35,14 @@ TEST(ErrorReport, HasAChartATableAndAWordOnEachProblem) {
   EXPECT_EQ(std::count(html.begin(), html.end(), '\0'), 0);
 }
 
+TEST(ErrorReport, DrawsErrorsAgainstTimeAndAgainstPointUpdates) {
+  const std::string html = error_html(results());
+  for (const char* title : {"Error against wall time: A test", "Error against point-updates: A test"})
+    EXPECT_THAT(html, HasSubstr(title));
+  EXPECT_THAT(html, HasSubstr("Wall time (s)"));
+  EXPECT_THAT(html, HasSubstr(">Point-updates<"));
+}
+
 TEST(ErrorReport, ShowsTheCheapestWaysAndHowNearOthersCame) {
   const std::string html = error_html(results());
   EXPECT_THAT(html, HasSubstr("<td>GIMP, cell 1/4: 500 ms</td><td>GIMP, cell 1/8: 2.00 s</td>"
