@@ -5,6 +5,7 @@
 
 #include "libmpm/lattice_solver.hpp"
 #include "libmpm/simulate.hpp"
+#include "tests/libmpm/mean_stress.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
@@ -95,23 +96,6 @@ TEST(Handover, ShowsInTheHistoryAndKeepsTheCurve) {
   EXPECT_LT(worst, 0.02 * small.peak_stress);
 }
 
-/// Mean stress of a history over a stretch of strain.
-double mean_stress(const Result& result, double from, double to) {
-  double area = 0;
-  for (std::size_t i = 1; i < result.history.size(); ++i) {
-    const auto& a = result.history[i - 1];
-    const auto& b = result.history[i];
-    const double begin = std::max(from, a.strain);
-    const double end = std::min(to, b.strain);
-    if (end <= begin) continue;
-    const auto at = [&](double strain) {
-      return a.stress + (b.stress - a.stress) * (strain - a.strain) / (b.strain - a.strain);
-    };
-    area += 0.5 * (at(begin) + at(end)) * (end - begin);
-  }
-  return area / (to - from);
-}
-
 // Each failure rings, and the waves of the two solvers do not keep step: means over a twentieth of the curve
 // compare. B-splines reach over the phases beside a cell, which shows in a specimen of 20 cells with
 // aggregates of 7.
@@ -133,7 +117,8 @@ TEST(MovingAndSmallStrain, AgreeUpToTheFirstHundredFailures) {
     for (int i = 0; i < 20; ++i) {
       const double from = i * hundred / 20;
       const double to = (i + 1) * hundred / 20;
-      worst = std::max(worst, std::abs(mean_stress(moving, from, to) - mean_stress(small, from, to)));
+      worst = std::max(
+          worst, std::abs(samples::mean_stress(moving, from, to) - samples::mean_stress(small, from, to)));
     }
     if (samples::figures)
       std::printf("shape %d: stress differs by %.4f of the peak up to 100 failures at %.3g\n",

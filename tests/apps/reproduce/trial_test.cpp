@@ -6,6 +6,7 @@
 #include "apps/complaint.hpp"
 #include "apps/reproduce/paper_scene.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
+#include "tests/libmpm/mean_stress.hpp"
 
 namespace {
 
@@ -74,6 +75,32 @@ TEST(Trial, RunsAndForgetsItsMapsUnlessTheyAreKept) {
 
 TEST(Trial, IsNotDoneWhenItIsInterrupted) {
   EXPECT_FALSE(run_trial(tiny(), [] { return false; }).done);
+}
+
+// The paper's tension test on coarse pixels, up to its first hundred failures: points that move, with any
+// shape function, follow the small-strain solver.
+TEST(Trial, PointsThatMoveFollowSmallStrain) {
+  Trial trial{
+      "tension",
+      {{"generate.pixel_size", "1.5 mm"}, {"loading.velocity", "0.1 m/s"}, {"loading.stop_strain", "6e-5"}},
+      false};
+  const mpm::Result small = run_trial(trial, [] { return true; }).result;
+  double hundred = 0;
+  for (const auto& row : small.history)
+    if (row.tension_failures <= 100) hundred = row.strain;
+  ASSERT_LT(hundred, small.history.back().strain) << "more than a hundred fail";
+  for (const char* shape : {"linear", "gimp", "bspline"}) {
+    trial.settings.resize(3);
+    trial.settings.insert(trial.settings.end(), {{"solver.kinematics", "moving"}, {"motion.shape", shape}});
+    const mpm::Result moving = run_trial(trial, [] { return true; }).result;
+    for (int i = 0; i < 20; ++i) {
+      const double from = i * hundred / 20;
+      const double to = (i + 1) * hundred / 20;
+      EXPECT_NEAR(samples::mean_stress(moving, from, to), samples::mean_stress(small, from, to),
+                  0.01 * small.peak_stress)
+          << shape << ", " << i;
+    }
+  }
 }
 
 TEST(Outcomes, KeepMapsWhenOneOfTwoFiguresWantsThem) {
