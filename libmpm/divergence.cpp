@@ -21,7 +21,8 @@ double two_digits_below(double value) {
 }
 
 std::string cure(const Scene& scene, const Plan& plan, const Divergence& divergence) {
-  const std::string text = "the time step of " + rounded(divergence.dt, 4) + " s is too long for this specimen; ";
+  const std::string text =
+      "the time step of " + rounded(divergence.dt, 4) + " s is too long for this specimen; ";
   const double limit = divergence.moving ? Phase::unbreakable : cell_limit(scene, plan);
   if (divergence.dt < limit) return text + "try a smaller solver.cfl";
   return text + "try a smaller solver.cfl: " + rounded(two_digits_below(scene.cfl * limit / plan.dt), 2) +

@@ -38,8 +38,8 @@ struct Plan {
 /// @throws Error for a scene that is not valid.
 [[nodiscard]] Plan plan(const Scene& scene);
 
-/// Share of the time step that local damping leaves [-]: where the motion slows down, the damping force adds to
-/// the force that slows it, as if the specimen were stiffer by the factor 1 + local_damping.
+/// Share of the time step that local damping leaves [-]: where the motion slows down, the damping force adds
+/// to the force that slows it, as if the specimen were stiffer by the factor 1 + local_damping.
 [[nodiscard]] double damped_share(double local_damping);
 
 /// Velocity of the top platen over its full value at a time [-]: a smooth step without a jump in
