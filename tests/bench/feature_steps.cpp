@@ -1,5 +1,6 @@
 // Takes steps of a case of `mesopix bench features`, for tools that count what a program does.
 // Usage: feature_steps CASE without|with STEPS; without arguments it lists the cases.
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -21,8 +22,10 @@ int main(int argc, char** argv) {
   if (std::string(argv[2]) == "with") it.add(plan);
 
   plan.steps_per_row = it.feature == "energies at every step" && std::string(argv[2]) == "with" ? 1 : 10;
-  plan.steps = std::stoll(argv[3]) - 1;
-  const mpm::Result result = mpm::simulate(scene, plan);
+  const std::int64_t steps = std::stoll(argv[3]);
+  std::int64_t rows = 0;
+  const mpm::Result result =
+      mpm::simulate(scene, plan, [&](const mpm::Progress&) { return ++rows * plan.steps_per_row < steps; });
   std::cout << result.points << ' ' << result.steps << ' ' << result.tension_failures << '\n';
   return 0;
 }

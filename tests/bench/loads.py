@@ -20,7 +20,7 @@ print(f"{'bytes loaded a point and step':44} {'without':>8} {'with':>8} {'more':
 for case, name in enumerate(subprocess.run([program], capture_output=True, text=True).stdout.splitlines()):
     found = []
     for variant in ("without", "with"):
-        first, points, few = bytes_loaded(case, variant, 20)
-        second, _, many = bytes_loaded(case, variant, 60)
+        first, points, few = bytes_loaded(case, variant, 10)
+        second, _, many = bytes_loaded(case, variant, 20)
         found.append((second - first) / points / (many - few))
     print(f"{name:44} {found[0]:8.1f} {found[1]:8.1f} {found[1] - found[0]:+8.1f}", flush=True)
