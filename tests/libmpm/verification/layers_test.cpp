@@ -36,7 +36,7 @@ TEST(Layers, GiveTheSameOnTheLattice) {
                 1, 5e-3);
 }
 
-TEST(Layers, AreNoAnswerWithAStepThatIsTooLong) {
+TEST(Layers, BearTheLongestStepDampedOrNot) {
   mpm::Scene scene = mpm::problems::layered_plate(64, Layers::across);
   scene.cfl = 0.99;
   EXPECT_EQ(mpm::problems::pull(scene).trouble, "");
