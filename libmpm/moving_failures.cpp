@@ -20,7 +20,7 @@ double MovingSolver<Real>::nominal_strain() const {
 template <class Real>
 void MovingSolver<Real>::fail_suspects(Band& band, int row) {
   for (int block = 0; block < points_.blocks(); ++block)
-    if (band.flags[static_cast<std::size_t>(block)] != 0)
+    if ((band.flags[static_cast<std::size_t>(block)] & moving::may_fail) != 0)
       points_.for_each_of_block(row, block, [&](const Slot& slot) { fail_point(band, slot); });
 }
 

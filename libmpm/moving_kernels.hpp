@@ -104,32 +104,32 @@ struct Step {
 enum class Stencil { linear, quadratic };
 enum class Return { flip, blend, apic };
 
-/// mass [kg/m] and momentum [kg/s], 3 quantities.
+/// Mass [kg/m] and momentum [kg/s] of the points, 3 quantities, and their internal force [N/m], 2: both in
+/// one sweep, or one of them while the other's sums are left alone.
 template <class Real>
-using ScatterMomentum = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<Real>);
-/// Internal force [N/m], 2 quantities.
-template <class Real>
-using ScatterForce = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<Real>);
+using Scatter = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<Real> momentum, Sums<Real> force);
 /// Velocity of the points from that of the nodes at the end of the step and its change in it. APIC does not
 /// need the change; with linear shapes it takes the gradient from `change`, which then is a velocity that is
 /// bounded at light nodes: the gradient of a linear shape does not vanish with its weight.
-/// @return the largest square of a speed [m^2/s^2].
+/// @param[out] momentum  of the points with their new velocity [kg/s], 2 quantities, where the sweep maps it
+///   back.   @return the largest square of a speed [m^2/s^2].
 template <class Real>
-using GatherVelocity = Real (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> change,
-                                NodeVectors<Real> fresh);
-/// Stress and volume from the gradient of the nodal velocity (Jaumann's rate).
-/// @param[out] suspects  not 0 for a block in which a point may fail.   @return not 0 when some block is.
+using Gather = Real (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> change,
+                        NodeVectors<Real> fresh, Sums<Real> momentum);
+/// What became of a point, for the flags of the blocks.
+enum Flag : std::uint8_t {
+  may_fail = 1,
+  has_left = 2,  ///< its tile
+};
+/// Stress and volume of the points from the gradient of the straining velocity (Jaumann's rate), their places
+/// from that at the end of the step: both in one sweep, or one of them.
+/// @param[out] flags  what became of some point of a block, shape (blocks).   @return what became of any.
 template <class Real>
-using UpdateStress = int (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> velocity,
-                             std::uint8_t* suspects);
-/// Places from the velocity of the nodes.
-/// @param[out] left  not 0 for a block in which a point has left its tile.   @return not 0 when some did.
+using Follow = int (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> straining,
+                       NodeVectors<Real> fresh, std::uint8_t* flags);
+/// Deformation gradient F from the gradient of the straining velocity; before the points move.
 template <class Real>
-using MovePoints = int (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> fresh,
-                           std::uint8_t* left);
-/// Deformation gradient F from the gradient of the nodal velocity.
-template <class Real>
-using Deform = void (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> velocity);
+using Deform = void (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> straining);
 
 /// Energies of the points of a row of tiles [J/m].
 struct Energies {
@@ -149,6 +149,9 @@ struct NodeRow {
 /// Velocity [m/s] of the nodes from their mass and momentum. A node of less than `least_mass` stands still.
 template <class Real>
 using SumMomentum = void (*)(const NodeRow<Real>&, Real least_mass, Real* mass, Real* vx, Real* vy);
+/// The same from the momentum that was mapped back; the points have not moved since, and the mass is known.
+template <class Real>
+using SumNewMomentum = void (*)(const NodeRow<Real>&, Real least_mass, const Real* mass, Real* vx, Real* vy);
 
 /// A step of a row of nodes.
 template <class Real>
@@ -179,14 +182,13 @@ struct Features {
 template <class Real>
 struct Sweeps {
   int lanes;
-  ScatterMomentum<Real> scatter_momentum;
-  ScatterForce<Real> scatter_force;
-  GatherVelocity<Real> gather_velocity;
-  UpdateStress<Real> update_stress;
-  MovePoints<Real> move_points;
+  Scatter<Real> scatter, scatter_momentum, scatter_force;
+  Gather<Real> gather, gather_and_map_back;
+  Follow<Real> strain, move, strain_and_move;
   Deform<Real> deform;
   MeasureEnergies<Real> measure_energies;
   SumMomentum<Real> sum_momentum;
+  SumNewMomentum<Real> sum_new_momentum;
   Integrate<Real> integrate;
 };
 

@@ -80,11 +80,11 @@ MPM_INLINE void fetch_ahead(const TileRow<Real>& row, const Real* record) {
       [&](auto i) MPM_INLINE_LAMBDA { __builtin_prefetch(ahead + (first + i.value) * lanes<Real>); });
 }
 
-template <class Real, int N, int quantities>
-MPM_INLINE void store_sums(const Sums<Real>& out, int tile, const Pack<Real> (&sums)[N * N * quantities]) {
-  unrolled<N * N * quantities>([&](auto plane) MPM_INLINE_LAMBDA {
-    store<Real>(out.values + plane.value * out.length + tile, sums[plane.value]);
-  });
+template <class Real>
+MPM_INLINE double sum_of(const Pack<Real>& pack) {
+  double sum = 0;
+  for (int i = 0; i < lanes<Real>; ++i) sum += static_cast<double>(pack[i]);
+  return sum;
 }
 
 }  // namespace

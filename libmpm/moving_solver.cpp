@@ -137,15 +137,10 @@ void MovingSolver<Real>::scatter_rows(Band& band, Barrier& barrier, Scatter&& sc
 /// @param chooses  it strains the points too (USL), or gives linear APIC its slopes.
 template <class Real>
 void MovingSolver<Real>::accelerate_nodes(Band& band, Barrier& barrier, bool chooses) {
-  using Grid = MovingGrid<Real>;
   scatter_rows(
-      band, barrier,
+      band, barrier, [&](int row) { scatter(sweeps_.scatter, row); },
       [&](int row) {
-        scatter_mass_and_momentum(row);
-        scatter_internal_force(row);
-      },
-      [&](int row) {
-        sum_momentum(row, &Grid::vx, &Grid::vy);
+        sum_momentum(row);
         integrate_momentum(row);
         if (chooses) choose_straining_velocity(row);
       });
@@ -154,49 +149,35 @@ void MovingSolver<Real>::accelerate_nodes(Band& band, Barrier& barrier, bool cho
 
 template <class Real>
 void MovingSolver<Real>::step_musl(Band& band, Barrier& barrier) {
-  using Grid = MovingGrid<Real>;
   accelerate_nodes(band, barrier, slopes_from_straining_);
   scatter_rows(
-      band, barrier,
-      [&](int row) {
-        gather_motion(band, row);
-        scatter_mass_and_momentum(row);
-      },
-      [&](int row) {
-        sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
-        hold_straining_velocity(row);
-      });
-  for (int row = band.begin; row < band.end; ++row) {
-    update_stress_and_damage(band, row);
-    move_points(band, row);
-  }
+      band, barrier, [&](int row) { gather(sweeps_.gather_and_map_back, band, row); },
+      [&](int row) { sum_new_momentum(row); });
+  for (int row = band.begin; row < band.end; ++row) follow(sweeps_.strain_and_move, band, row);
 }
 
 template <class Real>
 void MovingSolver<Real>::step_usl(Band& band, Barrier& barrier) {
   accelerate_nodes(band, barrier, true);
   for (int row = band.begin; row < band.end; ++row) {
-    gather_motion(band, row);
-    update_stress_and_damage(band, row);
-    move_points(band, row);
+    gather(sweeps_.gather, band, row);
+    follow(sweeps_.strain_and_move, band, row);
   }
 }
 
 template <class Real>
 void MovingSolver<Real>::step_usf(Band& band, Barrier& barrier) {
-  using Grid = MovingGrid<Real>;
   scatter_rows(
-      band, barrier, [&](int row) { scatter_mass_and_momentum(row); },
+      band, barrier, [&](int row) { scatter(sweeps_.scatter_momentum, row); },
       [&](int row) {
-        sum_momentum(row, &Grid::vx, &Grid::vy);
-        sum_momentum(row, &Grid::strain_x, &Grid::strain_y);
-        hold_straining_velocity(row);
+        sum_momentum(row);
+        choose_brought_velocity(row);
       });
   scatter_rows(
       band, barrier,
       [&](int row) {
-        update_stress_and_damage(band, row);
-        scatter_internal_force(row);
+        follow(sweeps_.strain, band, row);
+        scatter(sweeps_.scatter_force, row);
       },
       [&](int row) {
         integrate_momentum(row);
@@ -204,8 +185,8 @@ void MovingSolver<Real>::step_usf(Band& band, Barrier& barrier) {
       });
   band.fastest = 0;
   for (int row = band.begin; row < band.end; ++row) {
-    gather_motion(band, row);
-    move_points(band, row);
+    gather(sweeps_.gather, band, row);
+    follow(sweeps_.move, band, row);
   }
 }
 

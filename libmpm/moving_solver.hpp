@@ -109,14 +109,15 @@ class MovingSolver {
   /// there.
   template <class Scatter, class Sweep>
   void scatter_rows(Band& band, Barrier& barrier, Scatter&& scatter, Sweep&& sweep);
-  void scatter_mass_and_momentum(int row);
-  void scatter_internal_force(int row);
-  void sum_momentum(int node_row, Field vx, Field vy);
+  void scatter(moving::Scatter<Real> sweep, int row);
+  void sum_momentum(int node_row);
+  void sum_new_momentum(int node_row);
   void integrate_momentum(int node_row);
+  void choose_brought_velocity(int node_row);
   void choose_straining_velocity(int node_row);
-  void gather_motion(Band& band, int row);
-  void update_stress_and_damage(Band& band, int row);
-  void move_points(Band& band, int row);
+  void gather(moving::Gather<Real> sweep, Band& band, int row);
+  void follow(moving::Follow<Real> sweep, Band& band, int row);
+  void take_out_movers(Band& band, int row);
   void resort();
 
   /// Bits of contact_.
@@ -158,7 +159,8 @@ class MovingSolver {
   StrengthFactors factors_;
   MovingGrid<Real> grid_;
   std::vector<Band> bands_;
-  TileSums<Real> momentum_, force_;
+  TileSums<Real> momentum_;
+  TileSums<Real> force_;  ///< and then the momentum that is mapped back
   MovingPoints<Real> points_;
   moving::Step<Real> step_{};
   std::vector<std::uint8_t> contact_;   ///< by node: which supports it touches

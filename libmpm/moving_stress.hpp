@@ -64,8 +64,9 @@ template <class Real, int N>
 MPM_INLINE Gradient<Real> gradient(const TileNodes<Real, N>& vx, const TileNodes<Real, N>& vy,
                                    const Weights<Real, N>& x, const Weights<Real, N>& y, Real per_x,
                                    Real per_y) {
-  return {per_x * interpolated<Real, N>(vx, x.dw, y.w), per_y * interpolated<Real, N>(vx, x.w, y.dw),
-          per_x * interpolated<Real, N>(vy, x.dw, y.w), per_y * interpolated<Real, N>(vy, x.w, y.dw)};
+  const Slopes<Real> of_x = slopes<Real>(vx, x, y);
+  const Slopes<Real> of_y = slopes<Real>(vy, x, y);
+  return {per_x * of_x.across, per_y * of_x.upwards, per_x * of_y.across, per_y * of_y.upwards};
 }
 
 /// The gradient of the displacement of the step with respect to where the points are halfway through it,

@@ -22,25 +22,30 @@ moving::TileRow<Real> MovingSolver<Real>::tiles(int row) {
   return tiles;
 }
 
+/// The sums of a row of tiles, which `sweep` is about to write; of a row without points they are zeros.
 template <class Real>
-void MovingSolver<Real>::scatter_mass_and_momentum(int row) {
-  if (points_.is_empty(row)) return momentum_.clear(row);
-  momentum_.mark_filled(row);
-  sweeps_.scatter_momentum(tiles(row), step_, momentum_.sums(row));
+void MovingSolver<Real>::scatter(moving::Scatter<Real> sweep, int row) {
+  const bool moves_mass = sweep != sweeps_.scatter_force;
+  const bool pushes = sweep != sweeps_.scatter_momentum;
+  const bool is_empty = points_.is_empty(row);
+  if (moves_mass) is_empty ? momentum_.clear(row) : momentum_.mark_filled(row);
+  if (pushes) is_empty ? force_.clear(row) : force_.mark_filled(row);
+  if (!is_empty) sweep(tiles(row), step_, momentum_.sums(row), force_.sums(row));
 }
 
 template <class Real>
-void MovingSolver<Real>::scatter_internal_force(int row) {
-  if (points_.is_empty(row)) return force_.clear(row);
-  force_.mark_filled(row);
-  sweeps_.scatter_force(tiles(row), step_, force_.sums(row));
-}
-
-template <class Real>
-void MovingSolver<Real>::sum_momentum(int node_row, Field vx, Field vy) {
+void MovingSolver<Real>::sum_momentum(int node_row) {
   const std::size_t at = grid_.at(node_row);
   sweeps_.sum_momentum(momentum_.node_row(node_row), least_mass_, grid_.mass.data() + at,
-                       (grid_.*vx).data() + at, (grid_.*vy).data() + at);
+                       grid_.vx.data() + at, grid_.vy.data() + at);
+}
+
+template <class Real>
+void MovingSolver<Real>::sum_new_momentum(int node_row) {
+  const std::size_t at = grid_.at(node_row);
+  sweeps_.sum_new_momentum(force_.node_row(node_row), least_mass_, grid_.mass.data() + at,
+                           grid_.strain_x.data() + at, grid_.strain_y.data() + at);
+  hold_straining_velocity(node_row);
 }
 
 template <class Real>
@@ -68,6 +73,19 @@ void MovingSolver<Real>::integrate_momentum(int node_row) {
   hold(node_row);
 }
 
+/// The velocity that the points brought strains them (USF).
+template <class Real>
+void MovingSolver<Real>::choose_brought_velocity(int node_row) {
+  const auto copy = [&](const AlignedVector<Real>& from, AlignedVector<Real>& to) {
+    const auto at = static_cast<std::ptrdiff_t>(grid_.at(node_row));
+    std::copy_n(from.begin() + at, geometry_.nodes_x, to.begin() + at);
+  };
+  copy(grid_.vx, grid_.strain_x);
+  copy(grid_.vy, grid_.strain_y);
+  hold_straining_velocity(node_row);
+}
+
+/// That at the end of the step does, as far as the mass of a node bears it out (USL).
 template <class Real>
 void MovingSolver<Real>::choose_straining_velocity(int node_row) {
   for (int col = 0; col < geometry_.nodes_x; ++col) {
@@ -79,36 +97,41 @@ void MovingSolver<Real>::choose_straining_velocity(int node_row) {
   hold_straining_velocity(node_row);
 }
 
+/// @param sweep  maps the new momentum back into the place of the force, which is spent, or does not.
 template <class Real>
-void MovingSolver<Real>::gather_motion(Band& band, int row) {
+void MovingSolver<Real>::gather(moving::Gather<Real> sweep, Band& band, int row) {
   using Grid = MovingGrid<Real>;
-  if (points_.is_empty(row)) return;
+  const bool maps_back = sweep == sweeps_.gather_and_map_back;
+  if (points_.is_empty(row)) {
+    if (maps_back) force_.clear(row);
+    return;
+  }
+  if (maps_back) force_.mark_filled(row);
   const auto change = slopes_from_straining_ ? nodes(row, &Grid::strain_x, &Grid::strain_y)
                                              : nodes(row, &Grid::change_x, &Grid::change_y);
   const Real fastest =
-      sweeps_.gather_velocity(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y));
+      sweep(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y), force_.sums(row));
   band.fastest = std::max(band.fastest, fastest);
 }
 
+/// Points follow the nodes, fail, and come into the band's list of movers when they left their tile.
 template <class Real>
-void MovingSolver<Real>::update_stress_and_damage(Band& band, int row) {
+void MovingSolver<Real>::follow(moving::Follow<Real> sweep, Band& band, int row) {
   using Grid = MovingGrid<Real>;
   if (points_.is_empty(row)) return;
-  const auto velocity = nodes(row, &Grid::strain_x, &Grid::strain_y);
-  if (sweeps_.update_stress(tiles(row), step_, velocity, band.flags.data()) != 0) fail_suspects(band, row);
-  if (plan_.moving.optional.deformation) sweeps_.deform(tiles(row), step_, velocity);
+  const auto straining = nodes(row, &Grid::strain_x, &Grid::strain_y);
+  const auto fresh = nodes(row, &Grid::fresh_x, &Grid::fresh_y);
+  if (plan_.moving.optional.deformation && sweep != sweeps_.move)
+    sweeps_.deform(tiles(row), step_, straining);
+  const int became = sweep(tiles(row), step_, straining, fresh, band.flags.data());
+  if ((became & moving::may_fail) != 0) fail_suspects(band, row);
+  if ((became & moving::has_left) != 0) take_out_movers(band, row);
 }
 
-/// Points that left their tile come into the band's list of movers.
 template <class Real>
-void MovingSolver<Real>::move_points(Band& band, int row) {
-  using Grid = MovingGrid<Real>;
-  if (points_.is_empty(row)) return;
-  if (sweeps_.move_points(tiles(row), step_, nodes(row, &Grid::fresh_x, &Grid::fresh_y), band.flags.data()) ==
-      0)
-    return;
+void MovingSolver<Real>::take_out_movers(Band& band, int row) {
   for (int block = 0; block < points_.blocks(); ++block) {
-    if (band.flags[static_cast<std::size_t>(block)] == 0) continue;
+    if ((band.flags[static_cast<std::size_t>(block)] & moving::has_left) == 0) continue;
     points_.for_each_of_block(row, block, [&](const Slot& slot) {
       const Real x = points_.value(slot, moving::xi);
       const Real y = points_.value(slot, moving::eta);

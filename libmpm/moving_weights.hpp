@@ -124,33 +124,74 @@ MPM_INLINE Pack<Real> variance(const Weights<Real, N>& x, const Pack<Real>& at) 
   return x.w[0] + x.w[2] - d * d;
 }
 
-/// Values at the nodes of the tiles of a block, [row][column].
+/// A field over the tiles of a block: its values at their nodes, [row][column].
 template <class Real, int N>
 struct TileNodes {
   Pack<Real> at[N][N];
 };
+/// Between the four nodes of a linear shape the field is corner + across x + upwards y + twist x y.
+template <class Real>
+struct TileNodes<Real, 2> {
+  Pack<Real> corner, across, upwards, twist;
+};
 template <class Real, int N>
 MPM_INLINE TileNodes<Real, N> load_nodes(const Real* first, std::ptrdiff_t stride, int tile) {
+  const Real* node = first + tile;
   TileNodes<Real, N> nodes;
-  unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
-    unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
-      nodes.at[b.value][a.value] = load<Real>(first + b.value * stride + tile + a.value);
+  if constexpr (N == 2) {
+    nodes.corner = load<Real>(node);
+    nodes.across = load<Real>(node + 1) - nodes.corner;
+    nodes.upwards = load<Real>(node + stride) - nodes.corner;
+    nodes.twist = load<Real>(node + stride + 1) - load<Real>(node + stride) - nodes.across;
+  } else {
+    unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+      unrolled<N>([&](auto a) MPM_INLINE_LAMBDA {
+        nodes.at[b.value][a.value] = load<Real>(node + b.value * stride + a.value);
+      });
     });
-  });
+  }
   return nodes;
 }
 
 /// Sum over the nodes of weight by value.
-template <class Real, int N>
-MPM_INLINE Pack<Real> interpolated(const TileNodes<Real, N>& nodes, const Pack<Real> (&wx)[N],
-                                   const Pack<Real> (&wy)[N]) {
+template <class Real>
+MPM_INLINE Pack<Real> weighted(const TileNodes<Real, 3>& nodes, const Pack<Real> (&wx)[3],
+                               const Pack<Real> (&wy)[3]) {
   Pack<Real> sum{};
-  unrolled<N>([&](auto b) MPM_INLINE_LAMBDA {
+  unrolled<3>([&](auto b) MPM_INLINE_LAMBDA {
     Pack<Real> row{};
-    unrolled<N>([&](auto a) MPM_INLINE_LAMBDA { row += wx[a.value] * nodes.at[b.value][a.value]; });
+    unrolled<3>([&](auto a) MPM_INLINE_LAMBDA { row += wx[a.value] * nodes.at[b.value][a.value]; });
     sum += wy[b.value] * row;
   });
   return sum;
+}
+
+/// Value of the field at the points.
+template <class Real>
+MPM_INLINE Pack<Real> interpolated(const TileNodes<Real, 3>& f, const Weights<Real, 3>& x,
+                                   const Weights<Real, 3>& y) {
+  return weighted<Real>(f, x.w, y.w);
+}
+template <class Real>
+MPM_INLINE Pack<Real> interpolated(const TileNodes<Real, 2>& f, const Weights<Real, 2>& x,
+                                   const Weights<Real, 2>& y) {
+  return f.corner + f.across * x.w[1] + y.w[1] * (f.upwards + f.twist * x.w[1]);
+}
+
+/// Its slopes there, over the width and the height of a cell.
+template <class Real>
+struct Slopes {
+  Pack<Real> across, upwards;
+};
+template <class Real>
+MPM_INLINE Slopes<Real> slopes(const TileNodes<Real, 3>& f, const Weights<Real, 3>& x,
+                               const Weights<Real, 3>& y) {
+  return {weighted<Real>(f, x.dw, y.w), weighted<Real>(f, x.w, y.dw)};
+}
+template <class Real>
+MPM_INLINE Slopes<Real> slopes(const TileNodes<Real, 2>& f, const Weights<Real, 2>& x,
+                               const Weights<Real, 2>& y) {
+  return {f.across + f.twist * y.w[1], f.upwards + f.twist * x.w[1]};
 }
 
 }  // namespace

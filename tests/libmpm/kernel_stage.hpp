@@ -106,10 +106,8 @@ struct Stage {
     return tiles;
   }
   void scatter() {
-    for (int row = 0; row < points.rows(); ++row) {
-      sweeps.scatter_momentum(tiles(row), step, momentum.sums(row));
-      sweeps.scatter_force(tiles(row), step, force.sums(row));
-    }
+    for (int row = 0; row < points.rows(); ++row)
+      sweeps.scatter(tiles(row), step, momentum.sums(row), force.sums(row));
     for (int row = 0; row < geometry.nodes_y; ++row) {
       const std::size_t at = grid.at(row);
       sweeps.sum_momentum(momentum.node_row(row), Real(0), &grid.mass[at], &grid.vx[at], &grid.vy[at]);

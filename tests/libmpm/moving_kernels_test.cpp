@@ -147,8 +147,9 @@ TYPED_TEST(MovingKernels, GatherIsExactForLinearFields) {
       });
       double fastest = 0;
       for (int row = 0; row < stage.points.rows(); ++row)
-        fastest = std::max(fastest, static_cast<double>(stage.sweeps.gather_velocity(
-                                        stage.tiles(row), stage.step, stage.change(row), stage.fresh(row))));
+        fastest = std::max(
+            fastest, static_cast<double>(stage.sweeps.gather(stage.tiles(row), stage.step, stage.change(row),
+                                                             stage.fresh(row), stage.force.sums(row))));
       double expected_fastest = 0;
       stage.for_each_point([&](const auto& slot) {
         const double x = stage.point_x(slot);
@@ -190,10 +191,13 @@ TYPED_TEST(MovingKernels, InstructionSetsAgreeToRounding) {
       });
       std::vector<std::uint8_t> flags(static_cast<std::size_t>(stage.points.blocks()));
       for (int row = 0; row < stage.points.rows(); ++row) {
-        (void)stage.sweeps.gather_velocity(stage.tiles(row), stage.step, stage.change(row), stage.fresh(row));
-        (void)stage.sweeps.update_stress(stage.tiles(row), stage.step, stage.fresh(row), flags.data());
+        (void)stage.sweeps.gather(stage.tiles(row), stage.step, stage.change(row), stage.fresh(row),
+                                  stage.force.sums(row));
+        (void)stage.sweeps.strain(stage.tiles(row), stage.step, stage.fresh(row), stage.fresh(row),
+                                  flags.data());
         stage.sweeps.deform(stage.tiles(row), stage.step, stage.fresh(row));
-        (void)stage.sweeps.move_points(stage.tiles(row), stage.step, stage.fresh(row), flags.data());
+        (void)stage.sweeps.move(stage.tiles(row), stage.step, stage.fresh(row), stage.fresh(row),
+                                flags.data());
       }
       int points = 0;
       stage.for_each_point([&](const auto& slot) {
@@ -245,7 +249,8 @@ TYPED_TEST(MovingKernels, ATurnKeepsTheInvariantsOfTheStress) {
     std::vector<std::uint8_t> flags(static_cast<std::size_t>(stage.points.blocks()));
     for (int i = 0; i < steps; ++i)
       for (int row = 0; row < stage.points.rows(); ++row)
-        (void)stage.sweeps.update_stress(stage.tiles(row), stage.step, stage.fresh(row), flags.data());
+        (void)stage.sweeps.strain(stage.tiles(row), stage.step, stage.fresh(row), stage.fresh(row),
+                                  flags.data());
     stage.for_each_point([&](const auto& slot) {
       const double xx = stage.value(slot, mpm::moving::sxx);
       const double yy = stage.value(slot, mpm::moving::syy);
@@ -274,7 +279,7 @@ TYPED_TEST(MovingKernels, FlyingStraightOnInATurnStretches) {
   });
   std::vector<std::uint8_t> flags(static_cast<std::size_t>(stage.points.blocks()));
   for (int row = 0; row < stage.points.rows(); ++row)
-    (void)stage.sweeps.update_stress(stage.tiles(row), stage.step, stage.fresh(row), flags.data());
+    (void)stage.sweeps.strain(stage.tiles(row), stage.step, stage.fresh(row), stage.fresh(row), flags.data());
   stage.for_each_point([&](const auto& slot) {
     const double stretch = 0.5 * spin * spin / (1 + 0.25 * spin * spin);
     const double lame = stage.value(slot, mpm::moving::lame);

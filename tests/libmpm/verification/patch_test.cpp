@@ -34,9 +34,10 @@ void drive(Stage<Real>& stage, int steps) {
   for (int i = 0; i < steps; ++i) {
     std::vector<typename Stage<Real>::Points::Loose> movers;
     for (int row = 0; row < stage.points.rows(); ++row) {
-      (void)stage.sweeps.update_stress(stage.tiles(row), stage.step, stage.fresh(row), flags.data());
+      (void)stage.sweeps.strain(stage.tiles(row), stage.step, stage.fresh(row), stage.fresh(row),
+                                flags.data());
       stage.sweeps.deform(stage.tiles(row), stage.step, stage.fresh(row));
-      (void)stage.sweeps.move_points(stage.tiles(row), stage.step, stage.fresh(row), flags.data());
+      (void)stage.sweeps.move(stage.tiles(row), stage.step, stage.fresh(row), stage.fresh(row), flags.data());
       stage.points.for_each(row, [&](const auto& slot) {
         const Real xi = stage.points.value(slot, mpm::moving::xi);
         const Real eta = stage.points.value(slot, mpm::moving::eta);
