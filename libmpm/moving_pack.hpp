@@ -49,6 +49,13 @@ template <class Real>
 MPM_INLINE Pack<Real> all(Real value) {
   return value - Pack<Real>{};
 }
+/// 0, 1, 2, ...
+template <class Real>
+MPM_INLINE Pack<Real> numbered() {
+  Pack<Real> pack{};
+  for (int i = 0; i < lanes<Real>; ++i) pack[i] = Real(i);
+  return pack;
+}
 template <class Real>
 MPM_INLINE bool any_of(const Mask<Real>& mask) {
   auto any = mask[0];
@@ -74,10 +81,14 @@ MPM_INLINE void set_field(Real* record, int index, const Pack<Real>& value) {
 /// the processor to foresee.
 template <class Real, int first, int last>
 MPM_INLINE void fetch_ahead(const TileRow<Real>& row, const Real* record) {
-  constexpr int records = 3;
+#ifndef DIST
+#define DIST 6
+#endif
+  constexpr int records = DIST;
+  constexpr int line = vector_bytes < 64 ? 64 / vector_bytes : 1;  // fields of a line of the cache
   const Real* ahead = record + records * row.layout.fields * lanes<Real>;
-  unrolled<last - first + 1>(
-      [&](auto i) MPM_INLINE_LAMBDA { __builtin_prefetch(ahead + (first + i.value) * lanes<Real>); });
+  unrolled<(last - first) / line + 1>(
+      [&](auto i) MPM_INLINE_LAMBDA { __builtin_prefetch(ahead + (first + line * i.value) * lanes<Real>); });
 }
 
 template <class Real>

@@ -10,14 +10,13 @@ namespace {  // a copy for each instruction set
 /// Volume and stress at the end of the step.
 template <class Real>
 MPM_INLINE Stress<Pack<Real>> strained(Real* record, const Gradient<Real>& g) {
-  const Pack<Real> v = field<Real>(record, Field::volume);
-  set_field<Real>(record, Field::volume, v * ((1 + g.xx) * (1 + g.yy) - g.xy * g.yx));
-  const Stress<Pack<Real>> s = turned_and_loaded<Real>(
+  const Strained<Real> result = turned_and_loaded<Real>(
       stress_of<Real>(record), g, field<Real>(record, Field::lame), field<Real>(record, Field::shear));
-  set_field<Real>(record, Field::sxx, s.xx);
-  set_field<Real>(record, Field::syy, s.yy);
-  set_field<Real>(record, Field::sxy, s.xy);
-  return s;
+  set_field<Real>(record, Field::volume, field<Real>(record, Field::volume) * result.growth);
+  set_field<Real>(record, Field::sxx, result.stress.xx);
+  set_field<Real>(record, Field::syy, result.stress.yy);
+  set_field<Real>(record, Field::sxy, result.stress.xy);
+  return result.stress;
 }
 
 /// Place at the end of the step. @return the lanes whose point is still in its tile.

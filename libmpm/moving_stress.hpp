@@ -69,40 +69,43 @@ MPM_INLINE Gradient<Real> gradient(const TileNodes<Real, N>& vx, const TileNodes
   return {per_x * of_x.across, per_y * of_x.upwards, per_x * of_y.across, per_y * of_y.upwards};
 }
 
-/// The gradient of the displacement of the step with respect to where the points are halfway through it,
-/// G (1 + G / 2)^-1. That of a turn is a spin and no strain, and that of nodes which fly straight on while
-/// they turn is the stretch that they come to: taken at the beginning of the step, it would be none, and a
-/// body that turns would grow with every step.   Source: Hughes, Winget (1980).
+/// What a step makes of a volume and of the stress in it.
 template <class Real>
-MPM_INLINE Gradient<Real> halfway(const Gradient<Real>& g) {
-  const Pack<Real> a = 1 + Real(0.5) * g.xx;
-  const Pack<Real> b = Real(0.5) * g.xy;
-  const Pack<Real> c = Real(0.5) * g.yx;
-  const Pack<Real> d = 1 + Real(0.5) * g.yy;
-  const Pack<Real> share = 1 / (a * d - b * c);
-  return {share * (g.xx * d - g.xy * c), share * (g.xy * a - g.xx * b), share * (g.yx * d - g.yy * c),
-          share * (g.yy * a - g.yx * b)};
-}
-
-/// Jaumann's rate: the stress turns with the spin, then grows by C : strain. The turn is exact in the norm,
-/// tan(angle / 2) = spin / 2. Source: Hughes, Winget (1980), for the increment.
+struct Strained {
+  Pack<Real> growth;  ///< of the volume [-]
+  Stress<Pack<Real>> stress;
+};
+/// Jaumann's rate: the stress turns with the spin, then grows by C : strain. Both come from the gradient of
+/// the displacement with respect to where the points are halfway through the step,
+///   G (1 + G / 2)^-1 = (G + det(G) / 2) / D,   D = det(1 + G / 2).
+/// That of a turn is a spin and no strain, and that of nodes which fly straight on while they turn is the
+/// stretch that they come to: taken at the beginning of the step, it would be none, and a body that turns
+/// would grow with every step. The turn is exact in the norm, tan(angle / 2) = spin / 2.
+/// Source: Hughes, Winget (1980).
 template <class Real>
-MPM_INLINE Stress<Pack<Real>> turned_and_loaded(const Stress<Pack<Real>>& s, const Gradient<Real>& start,
-                                                const Pack<Real>& lame, const Pack<Real>& shear) {
-  const Gradient<Real> g = halfway(start);
-  const Pack<Real> half = Real(0.25) * (g.yx - g.xy);  // tangent of half the angle
-  const Pack<Real> share = 1 / (1 + half * half);
-  const Pack<Real> cosine = (1 - half * half) * share;
-  const Pack<Real> sine = 2 * half * share;
-  const Pack<Real> cos2 = cosine * cosine - sine * sine;
+MPM_INLINE Strained<Real> turned_and_loaded(const Stress<Pack<Real>>& s, const Gradient<Real>& g,
+                                            const Pack<Real>& lame, const Pack<Real>& shear) {
+  const Pack<Real> trace = g.xx + g.yy;
+  const Pack<Real> det = g.xx * g.yy - g.xy * g.yx;
+  const Pack<Real> d = 1 + Real(0.5) * trace + Real(0.25) * det;
+  const Pack<Real> per_d = 1 / d;
+  // The tangent of half the angle is spin / d.
+  const Pack<Real> spin = Real(0.25) * (g.yx - g.xy);
+  const Pack<Real> per_square = 1 / (d * d + spin * spin);
+  const Pack<Real> sine = 2 * spin * d * per_square;
+  const Pack<Real> cosine = (d * d - spin * spin) * per_square;
+  const Pack<Real> cos2 = 1 - 2 * sine * sine;
   const Pack<Real> sin2 = 2 * sine * cosine;
   const Pack<Real> mean = Real(0.5) * (s.xx + s.yy);
   const Pack<Real> deviator = Real(0.5) * (s.xx - s.yy);
   const Pack<Real> turned = deviator * cos2 - s.xy * sin2;
   const Pack<Real> turned_xy = deviator * sin2 + s.xy * cos2;
-  const Pack<Real> volumetric = lame * (g.xx + g.yy);
-  return {mean + turned + volumetric + 2 * shear * g.xx, mean - turned + volumetric + 2 * shear * g.yy,
-          turned_xy + shear * (g.xy + g.yx)};
+  const Pack<Real> stiffness = shear * per_d;
+  const Pack<Real> volumetric = (lame * per_d) * (trace + det) + stiffness * (trace + det);
+  const Pack<Real> deviatoric = turned + stiffness * (g.xx - g.yy);
+  const Pack<Real> pressure = mean + volumetric;
+  return {1 + trace + det,
+          {pressure + deviatoric, pressure - deviatoric, turned_xy + stiffness * (g.xy + g.yx)}};
 }
 
 /// Lanes in which a point may fail; the same test as that of the lattice (kernels.cpp). Not-a-number is

@@ -59,14 +59,17 @@ template <class Real, Stencil stencil>
 MPM_INLINE BlockFolds<Real> folds_of(const TileRow<Real>& row, int block) {
   BlockFolds<Real> folds;
   if constexpr (stencil == Stencil::quadratic) {
+    const int first = block * lanes<Real>;
+    const auto lane_of = [&](int tile) MPM_INLINE_LAMBDA {
+      const Pack<Real> distance = numbered<Real>() - Real(tile - first);
+      return distance == Pack<Real>{} ? all<Real>(1) : Pack<Real>{};
+    };
+    const auto is_here = [&](int tile) MPM_INLINE_LAMBDA { return tile >= first && tile < first + lanes<Real>; };
+    folds.left = lane_of(row.folds.left);
+    folds.right = lane_of(row.folds.right);
+    folds.across = is_here(row.folds.left) || is_here(row.folds.right);
     folds.lower = row.folds.lower;
     folds.upper = row.folds.upper;
-    const int left = row.folds.left - block * lanes<Real>;
-    const int right = row.folds.right - block * lanes<Real>;
-    const auto is_here = [](int lane) { return lane >= 0 && lane < lanes<Real>; };
-    if (is_here(left)) folds.left[left] = 1;
-    if (is_here(right)) folds.right[right] = 1;
-    folds.across = is_here(left) || is_here(right);
   }
   return folds;
 }
