@@ -71,7 +71,6 @@ Real gather(const TileRow<Real>& in, const Step<Real>& of_step, NodeVectors<Real
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       Real* record = record_of(row, block, slot);
-      fetch_ahead<Real, Field::xi, Field::mass>(row, record);
       const auto x = weights_across<Real, stencil>(record, step.half_size, folds);
       const auto y = weights_upwards<Real, stencil>(record, step.half_size, folds);
       Pack<Real> v_x{}, v_y{};

@@ -38,18 +38,21 @@ MovingGrid<Real> make_moving_grid(const MovingGeometry& geometry) {
 
 namespace {
 
-/// Places of the rows of tiles. A row of nodes needs `reach` rows at once; the first and the last reach - 1
-/// rows of a band are needed again for the nodes that it shares.
+/// Places of the rows of tiles. A row of nodes needs `reach` rows at once. The first and the last rows of a
+/// band are needed again, for the nodes that it shares with the bands below and above: reach - 1 of them, and
+/// below as many more where the rows in between wait for those.
 std::vector<std::size_t> places_in_turn(const std::vector<int>& band_ends, int reach) {
   std::vector<std::size_t> places;
   std::size_t next = 0;
   int begin = 0;
   for (const int end : band_ends) {
     const std::size_t turn = next;
-    const int kept = reach - 1;
-    if (end - begin > 2 * kept + reach) next += static_cast<std::size_t>(reach);
+    const int kept_above = reach - 1;
+    const int kept_below = 2 * kept_above;
+    const bool takes_turns = end - begin > kept_below + kept_above + reach;
+    if (takes_turns) next += static_cast<std::size_t>(reach);
     for (int row = begin; row < end; ++row) {
-      const bool in_turn = end - begin > 2 * kept + reach && row >= begin + kept && row < end - kept;
+      const bool in_turn = takes_turns && row >= begin + kept_below && row < end - kept_above;
       places.push_back(in_turn ? turn + static_cast<std::size_t>(row % reach) : next++);
     }
     begin = end;

@@ -1,4 +1,5 @@
 // Points that left their tile: to the one that they are in, or out of the grid.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -24,6 +25,8 @@ std::string what_went_wrong(const Loose& point) {
 template <class Real>
 void MovingSolver<Real>::resort() {
   for (Band& band : bands_) {
+    std::stable_sort(band.movers.begin(), band.movers.end(),
+                     [](const Loose& a, const Loose& b) { return a.tile.row < b.tile.row; });
     for (Loose& point : band.movers) {
       const auto step_over = [&](int& tile, Real& place) {
         const Real tiles = std::floor(place);

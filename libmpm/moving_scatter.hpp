@@ -99,7 +99,7 @@ void scatter(const TileRow<Real>& in, const Step<Real>& of_step, Sums<Real> mome
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       const Real* record = record_of(row, block, slot);
-      fetch_ahead<Real, Field::xi, Field::sxy>(row, record);
+      fetch_ahead<Real, Field::xi, Field::basic_fields + 1>(row, record);
       const auto x = weights_across<Real, stencil>(record, step.half_size, folds);
       const auto y = weights_upwards<Real, stencil>(record, step.half_size, folds);
       if constexpr (what != Scattered::force)

@@ -139,6 +139,7 @@ void MovingSolver<Real>::share_rows() {
   if (same) return;
   momentum_ = TileSums<Real>(geometry_, 3, ends);
   force_ = TileSums<Real>(geometry_, 2, ends);
+  if (plan_.moving.mapped_back) new_momentum_ = TileSums<Real>(geometry_, 2, ends);
 }
 
 template <class Real>

@@ -37,6 +37,7 @@ void MovingSolver<Real>::run_band(std::size_t index, std::int64_t steps, Barrier
   for (std::int64_t i = 0; i < steps; ++i) {
     if (index == 0) begin_step();
     barrier.arrive_and_wait();
+    band.fastest = 0;
     if (scene_.motion.scheme == Scheme::usf)
       step_usf(band, barrier);
     else if (plan_.moving.mapped_back)
@@ -117,64 +118,87 @@ void MovingSolver<Real>::end_step() {
   clock_.stopped = is_done();
 }
 
+/// Three sweeps over the rows of tiles of a band, each as soon as the nodes that it reads are there: so close
+/// behind each other that a row is still in the cache when the next sweep comes to it. The lowest rows of nodes
+/// are those of the band below too; what waits for them waits for all threads.
+///   tiles_1(row) -> nodes_1(row) -> tiles_2(row) -> nodes_2(row) -> tiles_3(row)
+/// The node row k is there when the rows of tiles k - reach + 1 to k are; a row of tiles k reads the rows of
+/// nodes k to k + reach - 1.
 template <class Real>
-template <class Scatter, class Sweep>
-void MovingSolver<Real>::scatter_rows(Band& band, Barrier& barrier, Scatter&& scatter, Sweep&& sweep) {
-  // Above the lowest rows of nodes, which the band below reaches too, all is there with the row itself.
-  const int own = band.begin > 0 ? band.begin + geometry_.reach - 1 : 0;
-  for (int row = band.begin; row < band.end; ++row) {
-    scatter(row);
-    if (row >= own) sweep(row);
+template <class Tiles1, class Nodes1, class Tiles2, class Nodes2, class Tiles3>
+void MovingSolver<Real>::sweep_in_waves(Band& band, Barrier& barrier, Tiles1&& tiles_1, Nodes1&& nodes_1,
+                                        Tiles2&& tiles_2, Nodes2&& nodes_2, Tiles3&& tiles_3) {
+  const auto for_rows = [](int begin, int end, auto&& sweep) {
+    for (int row = begin; row < end; ++row) sweep(row);
+  };
+  const int lag = geometry_.reach - 1;
+  const int begin = band.begin;
+  const int end = band.end;
+  // From here on nodes_1 needs no other band, and from there nodes_2.
+  const int own_1 = begin > 0 ? begin + lag : 0;
+  const int own_2 = begin > 0 ? begin + 2 * lag : 0;
+  for (int row = begin; row < end; ++row) {
+    tiles_1(row);
+    if (row >= own_1) nodes_1(row);
+    if (row - lag >= own_1) tiles_2(row - lag);
+    if (row - lag >= own_2) nodes_2(row - lag);
+    if (row - 2 * lag >= own_2) tiles_3(row - 2 * lag);
   }
+  const int done_2 = std::max(own_1, end - lag);
+  const int done_3 = std::max(own_2, end - 2 * lag);
+  const auto shared_nodes = [&](auto&& sweep) {
+    for_rows(begin, own_1, sweep);
+    if (end == geometry_.tiles_y) for_rows(std::max(end, own_1), geometry_.nodes_y, sweep);
+  };
   barrier.arrive_and_wait();
-  for (int row = band.begin; row < own; ++row) sweep(row);
-  if (band.end == geometry_.tiles_y)
-    for (int row = std::max(band.end, own); row < geometry_.nodes_y; ++row) sweep(row);
+  shared_nodes(nodes_1);
   barrier.arrive_and_wait();
-}
-
-/// From the points as they are to the velocity of the nodes at the end of the step.
-/// @param chooses  it strains the points too (USL), or gives linear APIC its slopes.
-template <class Real>
-void MovingSolver<Real>::accelerate_nodes(Band& band, Barrier& barrier, bool chooses) {
-  scatter_rows(
-      band, barrier, [&](int row) { scatter(sweeps_.scatter, row); },
-      [&](int row) {
-        sum_momentum(row);
-        integrate_momentum(row);
-        if (chooses) choose_straining_velocity(row);
-      });
-  band.fastest = 0;
+  for_rows(begin, own_1, tiles_2);
+  for_rows(done_2, end, tiles_2);
+  for_rows(own_1, std::min(own_2, end), nodes_2);
+  for_rows(std::max(own_2, done_2), end, nodes_2);
+  barrier.arrive_and_wait();
+  shared_nodes(nodes_2);
+  barrier.arrive_and_wait();
+  for_rows(begin, std::min(own_2, end), tiles_3);
+  for_rows(done_3, end, tiles_3);
 }
 
 template <class Real>
 void MovingSolver<Real>::step_musl(Band& band, Barrier& barrier) {
-  accelerate_nodes(band, barrier, slopes_from_straining_);
-  scatter_rows(
-      band, barrier, [&](int row) { gather(sweeps_.gather_and_map_back, band, row); },
-      [&](int row) { sum_new_momentum(row); });
-  for (int row = band.begin; row < band.end; ++row) follow(sweeps_.strain_and_move, band, row);
+  sweep_in_waves(
+      band, barrier, [&](int row) { scatter(sweeps_.scatter, row); },
+      [&](int row) {
+        sum_momentum(row);
+        integrate_momentum(row);
+        if (slopes_from_straining_) choose_straining_velocity(row);
+      },
+      [&](int row) { gather(sweeps_.gather_and_map_back, band, row); },
+      [&](int row) { sum_new_momentum(row); },
+      [&](int row) { follow(sweeps_.strain_and_move, band, row); });
 }
 
 template <class Real>
 void MovingSolver<Real>::step_usl(Band& band, Barrier& barrier) {
-  accelerate_nodes(band, barrier, true);
-  for (int row = band.begin; row < band.end; ++row) {
-    gather(sweeps_.gather, band, row);
-    follow(sweeps_.strain_and_move, band, row);
-  }
+  sweep_in_waves(
+      band, barrier, [&](int row) { scatter(sweeps_.scatter, row); },
+      [&](int row) {
+        sum_momentum(row);
+        integrate_momentum(row);
+        choose_straining_velocity(row);
+      },
+      [&](int row) { gather(sweeps_.gather, band, row); }, [](int) {},
+      [&](int row) { follow(sweeps_.strain_and_move, band, row); });
 }
 
 template <class Real>
 void MovingSolver<Real>::step_usf(Band& band, Barrier& barrier) {
-  scatter_rows(
+  sweep_in_waves(
       band, barrier, [&](int row) { scatter(sweeps_.scatter_momentum, row); },
       [&](int row) {
         sum_momentum(row);
         choose_brought_velocity(row);
-      });
-  scatter_rows(
-      band, barrier,
+      },
       [&](int row) {
         follow(sweeps_.strain, band, row);
         scatter(sweeps_.scatter_force, row);
@@ -182,12 +206,11 @@ void MovingSolver<Real>::step_usf(Band& band, Barrier& barrier) {
       [&](int row) {
         integrate_momentum(row);
         if (slopes_from_straining_) choose_straining_velocity(row);
+      },
+      [&](int row) {
+        gather(sweeps_.gather, band, row);
+        follow(sweeps_.move, band, row);
       });
-  band.fastest = 0;
-  for (int row = band.begin; row < band.end; ++row) {
-    gather(sweeps_.gather, band, row);
-    follow(sweeps_.move, band, row);
-  }
 }
 
 template <class Real>

@@ -102,13 +102,11 @@ class MovingSolver {
   void end_step();
   void step_usf(Band& band, Barrier& barrier);
   void step_usl(Band& band, Barrier& barrier);
-  void accelerate_nodes(Band& band, Barrier& barrier, bool chooses);
   void step_musl(Band& band, Barrier& barrier);
 
-  /// scatter(row) for the rows of a band, and sweep(row) for every row of nodes once all that meets in it is
-  /// there.
-  template <class Scatter, class Sweep>
-  void scatter_rows(Band& band, Barrier& barrier, Scatter&& scatter, Sweep&& sweep);
+  template <class Tiles1, class Nodes1, class Tiles2, class Nodes2, class Tiles3>
+  void sweep_in_waves(Band& band, Barrier& barrier, Tiles1&& tiles_1, Nodes1&& nodes_1, Tiles2&& tiles_2,
+                      Nodes2&& nodes_2, Tiles3&& tiles_3);
   void scatter(moving::Scatter<Real> sweep, int row);
   void sum_momentum(int node_row);
   void sum_new_momentum(int node_row);
@@ -159,8 +157,7 @@ class MovingSolver {
   StrengthFactors factors_;
   MovingGrid<Real> grid_;
   std::vector<Band> bands_;
-  TileSums<Real> momentum_;
-  TileSums<Real> force_;  ///< and then the momentum that is mapped back
+  TileSums<Real> momentum_, force_, new_momentum_;
   MovingPoints<Real> points_;
   moving::Step<Real> step_{};
   std::vector<std::uint8_t> contact_;   ///< by node: which supports it touches

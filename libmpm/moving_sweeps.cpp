@@ -43,7 +43,7 @@ void MovingSolver<Real>::sum_momentum(int node_row) {
 template <class Real>
 void MovingSolver<Real>::sum_new_momentum(int node_row) {
   const std::size_t at = grid_.at(node_row);
-  sweeps_.sum_new_momentum(force_.node_row(node_row), least_mass_, grid_.mass.data() + at,
+  sweeps_.sum_new_momentum(new_momentum_.node_row(node_row), least_mass_, grid_.mass.data() + at,
                            grid_.strain_x.data() + at, grid_.strain_y.data() + at);
   hold_straining_velocity(node_row);
 }
@@ -97,20 +97,20 @@ void MovingSolver<Real>::choose_straining_velocity(int node_row) {
   hold_straining_velocity(node_row);
 }
 
-/// @param sweep  maps the new momentum back into the place of the force, which is spent, or does not.
 template <class Real>
 void MovingSolver<Real>::gather(moving::Gather<Real> sweep, Band& band, int row) {
   using Grid = MovingGrid<Real>;
-  const bool maps_back = sweep == sweeps_.gather_and_map_back;
-  if (points_.is_empty(row)) {
-    if (maps_back) force_.clear(row);
-    return;
+  moving::Sums<Real> momentum{};
+  if (sweep == sweeps_.gather_and_map_back) {
+    if (points_.is_empty(row)) return new_momentum_.clear(row);
+    new_momentum_.mark_filled(row);
+    momentum = new_momentum_.sums(row);
   }
-  if (maps_back) force_.mark_filled(row);
+  if (points_.is_empty(row)) return;
   const auto change = slopes_from_straining_ ? nodes(row, &Grid::strain_x, &Grid::strain_y)
                                              : nodes(row, &Grid::change_x, &Grid::change_y);
   const Real fastest =
-      sweep(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y), force_.sums(row));
+      sweep(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y), momentum);
   band.fastest = std::max(band.fastest, fastest);
 }
 
