@@ -77,18 +77,15 @@ MPM_INLINE void set_field(Real* record, int index, const Pack<Real>& value) {
   store<Real>(record + index * lanes<Real>, value);
 }
 
-/// Asks the cache for fields `first` to `last` of a record that comes soon: their lines are too far apart for
-/// the processor to foresee.
-template <class Real, int first, int last>
+/// Asks the cache for a record that comes soon, with all that the sweeps of a step read of it.
+template <class Real>
 MPM_INLINE void fetch_ahead(const TileRow<Real>& row, const Real* record) {
-#ifndef DIST
-#define DIST 6
-#endif
-  constexpr int records = DIST;
+  constexpr int records = 6;
+  constexpr int fields = Field::basic_fields + 2;                  // with the two thresholds of failure
   constexpr int line = vector_bytes < 64 ? 64 / vector_bytes : 1;  // fields of a line of the cache
   const Real* ahead = record + records * row.layout.fields * lanes<Real>;
-  unrolled<(last - first) / line + 1>(
-      [&](auto i) MPM_INLINE_LAMBDA { __builtin_prefetch(ahead + (first + line * i.value) * lanes<Real>); });
+  unrolled<(fields + line - 1) / line>(
+      [&](auto i) MPM_INLINE_LAMBDA { __builtin_prefetch(ahead + line * i.value * lanes<Real>); });
 }
 
 template <class Real>

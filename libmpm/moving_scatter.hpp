@@ -88,6 +88,7 @@ MPM_INLINE void add_force(TileTotals<Real, nodes_of<stencil>, 2>& sums, const Ti
 
 enum class Scattered { momentum, force, both };
 
+/// Every step begins with this sweep, which fetches the records for those that follow it.
 template <class Real, Stencil stencil, Scattered what, bool affine, bool closure>
 void scatter(const TileRow<Real>& in, const Step<Real>& of_step, Sums<Real> momentum, Sums<Real> force) {
   constexpr int n = nodes_of<stencil>;
@@ -99,7 +100,7 @@ void scatter(const TileRow<Real>& in, const Step<Real>& of_step, Sums<Real> mome
     const BlockFolds<Real> folds = folds_of<Real, stencil>(row, block);
     for (int slot = 0; slot < row.used[block]; ++slot) {
       const Real* record = record_of(row, block, slot);
-      fetch_ahead<Real, Field::xi, Field::basic_fields + 1>(row, record);
+      if constexpr (what != Scattered::force) fetch_ahead<Real>(row, record);
       const auto x = weights_across<Real, stencil>(record, step.half_size, folds);
       const auto y = weights_upwards<Real, stencil>(record, step.half_size, folds);
       if constexpr (what != Scattered::force)

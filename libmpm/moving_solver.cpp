@@ -119,8 +119,8 @@ void MovingSolver<Real>::end_step() {
 }
 
 /// Three sweeps over the rows of tiles of a band, each as soon as the nodes that it reads are there: so close
-/// behind each other that a row is still in the cache when the next sweep comes to it. The lowest rows of nodes
-/// are those of the band below too; what waits for them waits for all threads.
+/// behind each other that a row is still in the cache when the next sweep comes to it. The lowest rows of
+/// nodes are those of the band below too; what waits for them waits for all threads.
 ///   tiles_1(row) -> nodes_1(row) -> tiles_2(row) -> nodes_2(row) -> tiles_3(row)
 /// The node row k is there when the rows of tiles k - reach + 1 to k are; a row of tiles k reads the rows of
 /// nodes k to k + reach - 1.
@@ -174,8 +174,7 @@ void MovingSolver<Real>::step_musl(Band& band, Barrier& barrier) {
         if (slopes_from_straining_) choose_straining_velocity(row);
       },
       [&](int row) { gather(sweeps_.gather_and_map_back, band, row); },
-      [&](int row) { sum_new_momentum(row); },
-      [&](int row) { follow(sweeps_.strain_and_move, band, row); });
+      [&](int row) { sum_new_momentum(row); }, [&](int row) { follow(sweeps_.strain_and_move, band, row); });
 }
 
 template <class Real>

@@ -109,8 +109,7 @@ void MovingSolver<Real>::gather(moving::Gather<Real> sweep, Band& band, int row)
   if (points_.is_empty(row)) return;
   const auto change = slopes_from_straining_ ? nodes(row, &Grid::strain_x, &Grid::strain_y)
                                              : nodes(row, &Grid::change_x, &Grid::change_y);
-  const Real fastest =
-      sweep(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y), momentum);
+  const Real fastest = sweep(tiles(row), step_, change, nodes(row, &Grid::fresh_x, &Grid::fresh_y), momentum);
   band.fastest = std::max(band.fastest, fastest);
 }
 

@@ -64,7 +64,8 @@ MPM_INLINE BlockFolds<Real> folds_of(const TileRow<Real>& row, int block) {
       const Pack<Real> distance = numbered<Real>() - Real(tile - first);
       return distance == Pack<Real>{} ? all<Real>(1) : Pack<Real>{};
     };
-    const auto is_here = [&](int tile) MPM_INLINE_LAMBDA { return tile >= first && tile < first + lanes<Real>; };
+    const auto is_here = [&](int tile)
+                             MPM_INLINE_LAMBDA { return tile >= first && tile < first + lanes<Real>; };
     folds.left = lane_of(row.folds.left);
     folds.right = lane_of(row.folds.right);
     folds.across = is_here(row.folds.left) || is_here(row.folds.right);

@@ -13,20 +13,23 @@ namespace {
 
 bench::MachinePeak machine;
 
-/// Additions and multiplications of one point-update of MUSL and FLIP: momentum to the nodes (twice), forces,
-/// the change of velocity, the velocity gradient with stress and both tests, the new place; weights each
-/// time. Counted in moving_kernels.cpp for the tile of N x N nodes, the sums at the nodes included.
+/// Additions and multiplications of one point-update of MUSL and FLIP, counted in moving_scatter.hpp,
+/// moving_gather.hpp, moving_strain.hpp and moving_nodes.hpp for the tile of N x N nodes with four points in
+/// it: weights in each of the three sweeps; mass, momentum and force to the nodes; the change of velocity and
+/// the new momentum; the velocity gradient with stress and both tests, the new place; the sums at the nodes.
 double operations(mpm::Shape shape) {
-  const double n = shape == mpm::Shape::linear ? 2 : 3;
+  const bool linear = shape == mpm::Shape::linear;
+  const double n = linear ? 2 : 3;
   const double nodes = n * n;
-  const double weights = shape == mpm::Shape::linear ? 2 : 2 * 18;  // both axes
-  const double momentum = weights + n + nodes * 6;
-  const double force = weights + 6 + n * 4 + nodes * 8;
-  const double gather = weights + 2 * (nodes * 2 + n * 2) + 5;
-  const double stress = weights + 4 * (nodes * 2 + n * 2 + 1) + 45;
-  const double move = weights + 2 * (nodes * 2 + n * 2) + 6;
-  const double node_sums = (2 * 3 + 2) * nodes / 4 + 3;  // four points a node
-  return 2 * momentum + force + gather + stress + move + node_sums;
+  const double weights = linear ? 2 : 2 * 18;  // both axes
+  const double value = linear ? 6 : nodes * 2 + n * 2;
+  const double slopes = linear ? 4 : 2 * (nodes * 2 + n * 2);
+  const double coefficients = linear ? 6 * 4 / 4.0 : 0;  // of six fields, for the points of a tile
+  const double scatter = weights + n + nodes * 6 + 6 + n * 4 + nodes * 8;
+  const double gather = weights + 2 * value + 2 + 3 + n + nodes * 5;
+  const double follow = weights + 2 * slopes + 4 + 53 + 14 + 2 * value + 6;
+  const double node_sums = (3 + 2 + 2) * nodes / 4 + 4;
+  return scatter + gather + follow + coefficients + node_sums;
 }
 
 mpm::Scene scene_of(mpm::Shape shape, mpm::Scheme scheme, mpm::Transfer transfer, int size) {
