@@ -64,19 +64,21 @@ std::string escape(std::string_view text) {
   return escaped;
 }
 
-std::string png_address(std::string_view png) {
+std::string base64(std::string_view bytes) {
   static constexpr std::string_view letters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string address = "data:image/png;base64,";
-  address.reserve(address.size() + (png.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < png.size(); i += 3) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t triple = 0;
     for (std::size_t k = 0; k < 3; ++k)
-      triple = triple << 8 | (i + k < png.size() ? static_cast<unsigned char>(png[i + k]) : 0U);
+      triple = triple << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
     for (std::size_t k = 0; k < 4; ++k)
-      address += i + k <= png.size() ? letters[triple >> (18 - 6 * k) & 63U] : '=';
+      text += i + k <= bytes.size() ? letters[triple >> (18 - 6 * k) & 63U] : '=';
   }
-  return address;
+  return text;
 }
+
+std::string png_address(std::string_view png) { return "data:image/png;base64," + base64(png); }
 
 }  // namespace output

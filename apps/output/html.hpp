@@ -10,6 +10,9 @@ namespace output {
 /// bytes that are no UTF-8 become U+FFFD.
 [[nodiscard]] std::string escape(std::string_view text);
 
+/// Bytes in the letters of RFC 4648.
+[[nodiscard]] std::string base64(std::string_view bytes);
+
 /// Bytes as the address of an embedded picture: "data:image/png;base64,...".
 [[nodiscard]] std::string png_address(std::string_view png);
 

@@ -1,15 +1,18 @@
 #include "apps/output/report.hpp"
 
+#include "apps/output/report_data.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/report_sections.hpp"
 
 namespace output {
 
 std::string report_html(const RunRecord& record) {
-  return page(title_of(record), header_html(record) + curve_section(record) + error_section(record) +
-                                    damage_section(record) + specimen_section(record) +
-                                    ledger_section(record) + solution_section(record) +
-                                    notes_section(record) + scene_section(record) + citation_section(record));
+  return live_page(title_of(record),
+                   header_html(record) + curve_section(record) + error_section(record) +
+                       film_section(record) + damage_section(record) + specimen_section(record) +
+                       ledger_section(record) + solution_section(record) + notes_section(record) +
+                       scene_section(record) + citation_section(record),
+                   report_data(record));
 }
 
 }  // namespace output

@@ -1,4 +1,4 @@
-/// report.html: a run on one page that needs no network and no script.
+/// report.html: a run on one page that needs no network; its script only adds to what it shows.
 #pragma once
 
 #include <string>

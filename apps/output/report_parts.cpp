@@ -7,9 +7,11 @@
 #include "apps/output/chart_layout.hpp"
 #include "apps/output/drawing_svg.hpp"
 #include "apps/output/html.hpp"
+#include "apps/output/page_files.hpp"
 #include "apps/output/picture_scale.hpp"
 #include "apps/output/png.hpp"
 #include "apps/output/report_style.hpp"
+#include "specimen/digest.hpp"
 
 namespace output {
 namespace {
@@ -17,23 +19,48 @@ namespace {
 constexpr int shown_pixels = 360;     ///< a picture's largest width on the page
 constexpr int embedded_pixels = 900;  ///< a picture's largest side in the file
 
-/// The page asks for nothing outside itself and runs nothing.
-constexpr const char* policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
-
-std::string head(const std::string& title) {
+std::string page_of(const std::string& title, const std::string& policy, const std::string& style,
+                    const std::string& html) {
   return fmt::format(
+      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n"
       "<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<title>{}</title>\n<style>\n{}</style>\n</head>\n",
-      policy, escape(title), report_style());
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</body>\n</html>\n",
+      policy, escape(title), style, html);
+}
+
+/// The page asks for nothing outside itself.
+constexpr const char* no_network = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+
+/// A script as the browser runs it and as an XML parser passes over it.
+std::string script_text(std::string_view body) { return fmt::format("/*<![CDATA[*/\n{}\n/*]]>*/", body); }
+
+/// "'sha256-...'": the name by which a policy knows a script.
+std::string digest_of(const std::string& script) {
+  const std::string digest = specimen::sha256_of_text(script);
+  std::string bytes;
+  for (std::size_t i = 0; i < digest.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digest.substr(i, 2), nullptr, 16));
+  return "'sha256-" + base64(bytes) + "'";
 }
 
 }  // namespace
 
 std::string page(const std::string& title, const std::string& html) {
-  return "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n" + head(title) +
-         "<body>\n<main>\n" + html + "</main>\n</body>\n</html>\n";
+  return page_of(title, no_network, report_style(), html + "</main>\n");
+}
+
+std::string live_page(const std::string& title, const std::string& html, const std::string& data) {
+  const std::string script = script_text(
+      fmt::format("{}\nconst gifenc = (() => {{\nconst exports = {{}};\n{}\nreturn exports;\n}})();\n{}",
+                  chart_library(), animation_library(), report_script()));
+  return page_of(
+      title, fmt::format("{}; script-src {}", no_network, digest_of(script)),
+      report_style() + std::string(chart_style()) + "\n",
+      fmt::format(
+          "{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n", html,
+          data, script));
 }
 
 std::string section(const std::string& heading, const std::string& html) {
@@ -72,11 +99,17 @@ std::string number_table(const std::vector<std::string>& head,
   return html + "</tbody>\n</table>\n</div>\n";
 }
 
-std::string chart_figure(const Chart& chart, double width, double height, const std::string& caption) {
+std::string chart_figure(const std::string& id, const Chart& chart, double width, double height,
+                         const std::string& caption) {
+  const std::string live = id.empty() ? "" : fmt::format("<div class=\"live\" id=\"chart-{}\"></div>\n", id);
   return fmt::format(
-      "<figure class=\"chart\">\n<div class=\"wide\">\n{}</div>\n<div class=\"narrow\">\n{}</div>\n"
+      "<figure class=\"chart\">\n{}<div class=\"wide\">\n{}</div>\n<div class=\"narrow\">\n{}</div>\n"
       "<figcaption>{}</figcaption>\n</figure>\n",
-      svg_of(lay_out(chart, width, height)), svg_of(lay_out(chart, 350, 300)), escape(caption));
+      live, svg_of(lay_out(chart, width, height)), svg_of(lay_out(chart, 350, 300)), escape(caption));
+}
+
+std::string chart_figure(const Chart& chart, double width, double height, const std::string& caption) {
+  return chart_figure("", chart, width, height, caption);
 }
 
 std::string image(const specimen::Raster<specimen::Rgb>& picture, const std::string& alternative,

@@ -19,6 +19,12 @@ struct Fact {
 /// A whole page that needs no network and no script.
 [[nodiscard]] std::string page(const std::string& title, const std::string& html);
 
+/// A whole page that needs no network, with the script of reports and what it reads. The page runs this
+/// script and no other, whatever else may stand in it.
+/// @param data  JSON without any of < > &.
+[[nodiscard]] std::string live_page(const std::string& title, const std::string& html,
+                                    const std::string& data);
+
 [[nodiscard]] std::string section(const std::string& heading, const std::string& html);
 [[nodiscard]] std::string paragraph(const std::string& text);
 
@@ -36,6 +42,9 @@ struct Fact {
                                        const std::vector<std::vector<std::string>>& rows);
 
 /// A chart, laid out twice: for wide screens at a width and height [px], and for phones.
+/// @param id  by which the script of a live page finds it, to draw in its place; empty = it does not.
+[[nodiscard]] std::string chart_figure(const std::string& id, const Chart& chart, double width, double height,
+                                       const std::string& caption);
 [[nodiscard]] std::string chart_figure(const Chart& chart, double width, double height,
                                        const std::string& caption);
 

@@ -11,6 +11,7 @@
 #include "apps/output/report_parts.hpp"
 #include "apps/output/run_charts.hpp"
 #include "apps/output/run_words.hpp"
+#include "apps/output/specimen_charts.hpp"
 #include "apps/output/strain_unit.hpp"
 #include "apps/output/text.hpp"
 #include "specimen/preview.hpp"
@@ -196,23 +197,31 @@ std::string notes_section(const RunRecord& record) {
 }
 
 std::string curve_section(const RunRecord& record) {
-  return section(
-      "Stress and strain",
-      side_by_side("lead", chart_figure(stress_chart(record), 590, 400, meaning_of_curve(record.scene)),
-                   facts_table(run_facts(record))));
+  return section("Stress and strain", side_by_side("lead",
+                                                   chart_figure("stress", stress_chart(record), 590, 400,
+                                                                meaning_of_curve(record.scene)),
+                                                   facts_table(run_facts(record))));
 }
 
 std::string specimen_section(const RunRecord& record) {
-  return section("Specimen", side_by_side("fit", specimen_picture(record.specimen.mask),
-                                          facts_table(specimen_facts(record))));
+  std::string html =
+      side_by_side("fit", specimen_picture(record.specimen.mask), facts_table(specimen_facts(record)));
+  const Chart sieve = sieve_chart(record.specimen);
+  if (!sieve.series.empty())
+    html += chart_figure(
+        "sieve", sieve, 590, 330,
+        "Share of the aggregate area in aggregates below a diameter, that of the circle of the same area.");
+  return section("Specimen", html);
 }
 
 std::string ledger_section(const RunRecord& record) {
-  return section(
-      "Energies and failures",
-      side_by_side("even", chart_figure(energy_chart(record), 480, 330, meaning_of_energy(record.scene)),
-                   chart_figure(failure_chart(record), 480, 330, "Points that have failed so far.")) +
-          failure_table_html(record));
+  std::string html = side_by_side(
+      "even", chart_figure("energy", energy_chart(record), 480, 330, meaning_of_energy(record.scene)),
+      chart_figure("failure", failure_chart(record), 480, 330, "Points that have failed so far."));
+  const Chart strains = failure_strain_chart(record);
+  if (!strains.series.empty())
+    html += chart_figure("failure-strain", strains, 590, 300, "How many pixels failed at which strain.");
+  return section("Energies and failures", html + failure_table_html(record));
 }
 
 std::string solution_section(const RunRecord& record) {

@@ -12,6 +12,8 @@ namespace output {
 [[nodiscard]] std::string curve_section(const RunRecord& record);  ///< stress chart and key figures
 [[nodiscard]] std::string error_section(
     const RunRecord& record);  ///< how wrong the peak may be; empty for none
+[[nodiscard]] std::string film_section(
+    const RunRecord& record);  ///< the damage over strain, for the script; empty for none
 [[nodiscard]] std::string damage_section(const RunRecord& record);  ///< pictures at shares of the peak strain
 [[nodiscard]] std::string specimen_section(const RunRecord& record);  ///< preview and statistics
 [[nodiscard]] std::string ledger_section(const RunRecord& record);    ///< energies, failures, their table

@@ -73,6 +73,22 @@ img.pixels { image-rendering: pixelated; }
 .choice:focus-visible + label { outline: 2px solid var(--first); outline-offset: 2px; }
 #in-colour:checked ~ * .in-grey, #in-grey:checked ~ * .in-colour,
 #in-colour:checked ~ .in-grey, #in-grey:checked ~ .in-colour { display: none; }
+.is-live .wide, .is-live .narrow { display: none; }
+.live .u-legend { font-size: 13px; text-align: left; width: auto; }
+.live .u-legend th, .live .u-legend td { border: 0; padding: 0 6px 0 0; text-align: left; font-weight: 400; }
+.live .u-legend .u-off { display: none; }
+.live .u-legend .u-value { font-variant-numeric: tabular-nums; min-width: 4.5em; display: inline-block; }
+.screen canvas { display: block; width: 100%; border: 1px solid var(--rule); background: #fff; cursor: crosshair; touch-action: pan-y; }
+.screen canvas:focus-visible { outline: 2px solid var(--first); outline-offset: 2px; }
+.controls { display: flex; flex-wrap: wrap; align-items: center; gap: 8px 12px; margin: 12px 0 0; max-width: none; font-size: 14px; }
+.controls input[type=range] { flex: 1 1 10em; min-width: 8em; accent-color: var(--first); }
+.controls output { min-width: 9em; font-variant-numeric: tabular-nums; }
+.controls button, .controls select { font: inherit; color: var(--text); background: var(--panel); border: 1px solid var(--rule);
+  border-radius: 6px; padding: 5px 12px; cursor: pointer; }
+.controls button:hover, .controls select:hover { border-color: var(--muted); }
+.controls button:focus-visible, .controls select:focus-visible { outline: 2px solid var(--first); outline-offset: 2px; }
+.readout { margin: 10px 0 0; min-height: 1.55em; max-width: none; font-size: 14px; color: var(--muted); font-variant-numeric: tabular-nums; }
+#film-readout { min-height: 6.2em; color: var(--text); }
 details { margin: 0 0 12px; }
 summary { cursor: pointer; padding: 4px 0; }
 pre { margin: 6px 0 0; padding: 14px 16px; overflow-x: auto; background: var(--panel); border-radius: 6px;
@@ -88,7 +104,8 @@ blockquote { margin: 0 0 12px; padding: 2px 0 2px 16px; border-left: 3px solid v
   @page { margin: 16mm; }
   main { max-width: none; padding: 0; }
   body { font-size: 11pt; }
-  .choice + label { display: none; }
+  .choice + label, #film, .live { display: none; }
+  .is-live .wide { display: block; }
   .pictures { grid-template-columns: repeat(3, 1fr); }
   section { margin-top: 22px; }
   figure, tr, .notes { break-inside: avoid; }

@@ -1,6 +1,8 @@
 #include "apps/output/run_charts.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "apps/output/load_words.hpp"
 #include "apps/output/run_words.hpp"
@@ -30,6 +32,49 @@ Series against_strain(const RunRecord& record, const std::string& name, Ink ink,
   const double per_strain = strain_unit(record.result).per_strain;
   return {name, column(history, [per_strain](const HistoryRow& row) { return per_strain * row.strain; }),
           column(history, value), ink, dashed};
+}
+
+/// Strains [-] at which the points of a phase failed, rising.
+struct PhaseStrains {
+  std::vector<double> tension, shear;
+};
+struct FailureStrains {
+  std::vector<PhaseStrains> by_label;
+  std::vector<double> extra;  ///< of the extra points, in both modes
+};
+FailureStrains failure_strains(const RunRecord& record) {
+  FailureStrains strains;
+  const mpm::Result& result = record.result;
+  const auto& labels = record.specimen.mask.labels.data;
+  strains.by_label.resize(record.specimen.mask.phases.size());
+  for (Eigen::Index pixel = 0; pixel < result.failure_strain.size(); ++pixel) {
+    PhaseStrains& phase = strains.by_label[labels[static_cast<std::size_t>(pixel)]];
+    const auto mode = static_cast<mpm::FailureMode>(result.failure_mode.data()[pixel]);
+    if (mode == mpm::FailureMode::none) continue;
+    (mode == mpm::FailureMode::tension ? phase.tension : phase.shear)
+        .push_back(static_cast<double>(result.failure_strain.data()[pixel]));
+  }
+  for (std::size_t i = 0; i < result.extra_failure_mode.size(); ++i)
+    if (result.extra_failure_mode[i] != 0)
+      strains.extra.push_back(static_cast<double>(result.extra_failure_strain[i]));
+  for (PhaseStrains& phase : strains.by_label)
+    for (auto* list : {&phase.tension, &phase.shear}) std::sort(list->begin(), list->end());
+  std::sort(strains.extra.begin(), strains.extra.end());
+  return strains;
+}
+
+/// How many of the strains, which rise, are reached at each row of the history.
+Series so_far(const RunRecord& record, const std::string& name, Ink ink, const std::vector<double>& strains,
+              bool dashed = false) {
+  return against_strain(
+      record, name, ink,
+      [&](const HistoryRow& row) {
+        // The maps hold strains in 32 bits.
+        const auto reached = static_cast<double>(static_cast<float>(row.strain));
+        return static_cast<double>(std::upper_bound(strains.begin(), strains.end(), reached) -
+                                   strains.begin());
+      },
+      dashed);
 }
 
 std::string peak_text(const mpm::Result& result, const StrainUnit& unit) {
@@ -77,12 +122,49 @@ Chart energy_chart(const RunRecord& record) {
 
 Chart failure_chart(const RunRecord& record) {
   Chart chart{"Failed points against strain", strain_axis(record), {"Failed points", ""}, {}, {}};
-  const auto add = [&](const std::string& name, Ink ink, std::int64_t HistoryRow::*member) {
-    chart.series.push_back(against_strain(
-        record, name, ink, [member](const HistoryRow& row) { return static_cast<double>(row.*member); }));
+  const FailureStrains strains = failure_strains(record);
+  const Ink inks[] = {Ink::first, Ink::second, Ink::third, Ink::fourth, Ink::fifth};
+  std::size_t ink = 0;
+  for (std::size_t label = 0; label < strains.by_label.size(); ++label) {
+    const auto& [tension, shear] = strains.by_label[label];
+    if (tension.empty() && shear.empty()) continue;
+    const std::string phase = phase_word(record.specimen.mask.phases[label]);
+    if (!tension.empty()) chart.series.push_back(so_far(record, phase + " in tension", inks[ink], tension));
+    if (!shear.empty()) chart.series.push_back(so_far(record, phase + " in shear", inks[ink], shear, true));
+    ink = (ink + 1) % std::size(inks);
+  }
+  if (!strains.extra.empty())
+    chart.series.push_back(so_far(record, "extra points", Ink::muted, strains.extra));
+  return chart;
+}
+
+Chart failure_strain_chart(const RunRecord& record) {
+  constexpr int classes = 60;
+  const StrainUnit unit = strain_unit(record.result);
+  Chart chart{"Strain at failure", strain_axis(record), {"Pixels that failed", ""}, {}, {}};
+  const double end = record.result.history.empty() ? 0 : record.result.history.back().strain;
+  if (!(end > 0)) return chart;
+  const FailureStrains strains = failure_strains(record);
+  const auto add = [&](const std::string& name, Ink ink, auto mode) {
+    std::vector<double> counts(classes, 0.0);
+    bool any = false;
+    for (const auto& phase : strains.by_label)
+      for (const double strain : phase.*mode) {
+        ++counts[static_cast<std::size_t>(
+            std::clamp(static_cast<int>(classes * strain / end), 0, classes - 1))];
+        any = true;
+      }
+    if (!any) return;
+    Series series{name, {}, {}, ink};
+    for (int i = 0; i < classes; ++i)
+      for (const int edge : {i, i + 1}) {  // the outline of a bar
+        series.x.push_back(unit.per_strain * end * edge / classes);
+        series.y.push_back(counts[static_cast<std::size_t>(i)]);
+      }
+    chart.series.push_back(std::move(series));
   };
-  add("in tension", Ink::first, &HistoryRow::tension_failures);
-  add("in shear", Ink::second, &HistoryRow::shear_failures);
+  add("in tension", Ink::first, &PhaseStrains::tension);
+  add("in shear", Ink::second, &PhaseStrains::shear);
   return chart;
 }
 

@@ -12,7 +12,10 @@ namespace output {
 /// The ledger of energies [J per m of thickness] against strain; damping only where there is any.
 [[nodiscard]] Chart energy_chart(const RunRecord& record);
 
-/// Points that have failed so far, against strain.
+/// Points that have failed so far, by phase and mode, against strain: pixels, and the extra points in one.
 [[nodiscard]] Chart failure_chart(const RunRecord& record);
+
+/// How many pixels failed at which strain, by mode, in sixty classes up to the end of the run.
+[[nodiscard]] Chart failure_strain_chart(const RunRecord& record);
 
 }  // namespace output

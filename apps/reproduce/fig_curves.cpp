@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "apps/output/key_figures.hpp"
+#include "apps/output/reference_curves.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/text.hpp"
 #include "apps/reproduce/curve.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/reference_curves.hpp"
 #include "apps/reproduce/words.hpp"
 
 namespace app::reproduce {
@@ -46,12 +46,12 @@ std::vector<Trial> trials(const Study& study) {
 std::vector<Reference> references_of(const Direction& direction) {
   const double strength = direction.peak_stress.mean, young = direction.young;
   if (direction.name == "tension")
-    return {
-        {"GB 50010", [=](double x) { return gb_tension(x, strength); }, gb_tension_peak_strain(strength)}};
-  return {{"GB 50010", [=](double x) { return gb_compression(x, strength, young); },
-           gb_compression_peak_strain(strength)},
-          {"EN 1992-1-1", [=](double x) { return en_compression(x, strength); },
-           en_compression_peak_strain(strength)}};
+    return {{"GB 50010", [=](double x) { return output::gb_tension(x, strength); },
+             output::gb_tension_peak_strain(strength)}};
+  return {{"GB 50010", [=](double x) { return output::gb_compression(x, strength, young); },
+           output::gb_compression_peak_strain(strength)},
+          {"EN 1992-1-1", [=](double x) { return output::en_compression(x, strength); },
+           output::en_compression_peak_strain(strength)}};
 }
 
 Direction direction_of(const Study& study, const Outcomes& outcomes, const std::string& name) {

@@ -118,6 +118,8 @@ FakeRun run_of(int pixels, double peak_stress, double peak_strain, double end_st
   FakeRun run{draw_specimen(pixels), {}, {}, {}};
   const specimen::LabelledMask& mask = run.specimen.mask;
   run.scene.labels = Eigen::Map<const mpm::Lattice<std::uint8_t>>(mask.labels.data.data(), pixels, pixels);
+  run.scene.phases = {std::nullopt};  // voids
+  for (const mpm::Phase& phase : mpm::concrete_phases()) run.scene.phases.emplace_back(phase);
   run.scene.pixel_size = mask.pixel_size;
   run.scene.loading.stop_strain = end_strain;
   run.scene_toml =

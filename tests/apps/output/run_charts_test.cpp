@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/apps/fake_run.hpp"
 
 namespace {
@@ -61,11 +63,38 @@ TEST(EnergyChart, BeginsWithTheEnergyOfTheFlight) {
   EXPECT_EQ(chart.series.back().name, "left");
 }
 
-TEST(FailureChart, CountsBothModes) {
-  const FakeRun run = tension_run(30);
+double failed_at_the_end(const Chart& chart, const std::string& mode) {
+  double sum = 0;
+  for (const output::Series& series : chart.series)
+    if (series.name.ends_with(mode)) sum += series.y.back();
+  return sum;
+}
+
+TEST(FailureChart, CountsEveryPhaseAndMode) {
+  const FakeRun run = compression_run(60);
   const Chart chart = failure_chart(run.record());
-  EXPECT_EQ(chart.series[0].y.back(), static_cast<double>(run.result.tension_failures));
-  EXPECT_EQ(chart.series[1].y.back(), static_cast<double>(run.result.shear_failures));
+  double expected[] = {0, 0};
+  for (const std::uint8_t mode : run.result.failure_mode.reshaped())
+    if (mode != 0) ++expected[mode - 1];
+  EXPECT_GT(expected[0] * expected[1], 0);
+  EXPECT_EQ(failed_at_the_end(chart, "in tension"), expected[0]);
+  EXPECT_EQ(failed_at_the_end(chart, "in shear"), expected[1]);
+  for (const output::Series& series : chart.series)
+    EXPECT_TRUE(std::is_sorted(series.y.begin(), series.y.end())) << series.name;
+}
+
+TEST(FailureChart, NothingFailedIsAnEmptyChart) {
+  EXPECT_TRUE(failure_chart(still_run({"12", "32"}).record()).series.empty());
+}
+
+TEST(FailureStrainChart, EveryFailedPixelIsInOneClass) {
+  const FakeRun run = tension_run(60);
+  const Chart chart = output::failure_strain_chart(run.record());
+  ASSERT_FALSE(chart.series.empty());
+  double sum = 0;
+  for (const output::Series& series : chart.series)
+    for (const double count : series.y) sum += count / 2;  // a bar has two corners
+  EXPECT_EQ(sum, static_cast<double>((run.result.failure_mode != std::uint8_t{0}).count()));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "apps/output/reference_curves.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/reference_curves.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
@@ -21,8 +21,8 @@ mpm::Result as_in_the_code(const std::string& scene) {
   mpm::Result result = test::triangle(in_tension ? tension_peak : compression_peak, 1e-3);
   for (mpm::HistoryRow& row : result.history) {
     const double x = row.strain / result.peak_strain;
-    row.stress = result.peak_stress *
-                 (in_tension ? gb_tension(x, tension_peak) : gb_compression(x, compression_peak, 45e9));
+    row.stress = result.peak_stress * (in_tension ? output::gb_tension(x, tension_peak)
+                                                  : output::gb_compression(x, compression_peak, 45e9));
   }
   return result;
 }

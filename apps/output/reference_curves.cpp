@@ -1,10 +1,10 @@
-#include "apps/reproduce/reference_curves.hpp"
+#include "apps/output/reference_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace app::reproduce {
+namespace output {
 namespace {
 
 constexpr double megapascal = 1e6;
@@ -50,4 +50,21 @@ double en_compression_peak_strain(double strength) {
 
 double en_young(double strength) { return 22000 * std::pow(strength / megapascal / 10, 0.3) * megapascal; }
 
-}  // namespace app::reproduce
+double en_compressive_strength(double tensile_strength) {
+  const double characteristic = std::pow(tensile_strength / megapascal / 0.3, 1.5);
+  return (std::min(characteristic, 50.0) + 8) * megapascal;
+}
+
+double hordijk_softening(double opening) {
+  return (1 + 27 * std::pow(opening, 3)) * std::exp(-6.93 * opening) - 28 * opening * std::exp(-6.93);
+}
+
+double hordijk_last_opening(double fracture_energy, double tensile_strength) {
+  return 5.136 * fracture_energy / tensile_strength;
+}
+
+double fib_fracture_energy(double compressive_strength) {
+  return 73 * std::pow(compressive_strength / megapascal, 0.18);
+}
+
+}  // namespace output

@@ -2,7 +2,7 @@
 /// the peak [-], for a strength [Pa] of positive sign.
 #pragma once
 
-namespace app::reproduce {
+namespace output {
 
 /// Tension.   Source: GB 50010, Annex C.
 [[nodiscard]] double gb_tension(double x, double strength);
@@ -16,5 +16,17 @@ namespace app::reproduce {
 [[nodiscard]] double en_compression(double x, double strength);
 [[nodiscard]] double en_compression_peak_strain(double strength);  ///< [-]
 [[nodiscard]] double en_young(double strength);                    ///< [Pa]
+/// Mean compressive strength [Pa] of a concrete of a mean tensile strength [Pa], at most that of C50.
+/// Source: EN 1992-1-1, table 3.1: f_ctm = 0.3 f_ck^(2/3) and f_cm = f_ck + 8 MPa.
+[[nodiscard]] double en_compressive_strength(double tensile_strength);
 
-}  // namespace app::reproduce
+/// Stress over tensile strength [-] against the opening of a crack over that at which it carries nothing [-],
+/// in [0, 1].   Source: Hordijk (1991).
+[[nodiscard]] double hordijk_softening(double opening);
+/// Opening at which a crack carries nothing any more [m]; fracture energy [N/m].   Source: Hordijk (1991).
+[[nodiscard]] double hordijk_last_opening(double fracture_energy, double tensile_strength);
+/// Fracture energy [N/m] of a concrete of a mean compressive strength [Pa].   Source: fib Model Code
+/// 2010, 5.1-9.
+[[nodiscard]] double fib_fracture_energy(double compressive_strength);
+
+}  // namespace output

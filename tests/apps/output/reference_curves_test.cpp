@@ -1,4 +1,4 @@
-#include "apps/reproduce/reference_curves.hpp"
+#include "apps/output/reference_curves.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace app::reproduce;
+using namespace output;
 
 // Values by hand from the formulas of the codes, six digits.
 
@@ -27,6 +27,22 @@ TEST(ReferenceCurves, EnInCompression) {
   EXPECT_NEAR(en_compression_peak_strain(120e6), 2.8e-3, 1e-12);  // the upper end
   EXPECT_NEAR(en_young(38e6), 32.83657e9, 1e4);
   EXPECT_NEAR(en_compression(0.5, 38e6), 0.745097, 1e-6);  // k = 1.961528
+}
+
+TEST(ReferenceCurves, HordijkSoftensFromOneToNothing) {
+  EXPECT_NEAR(hordijk_softening(0), 1, 1e-12);
+  EXPECT_NEAR(hordijk_softening(0.2), 0.298613, 1e-6);  // 1.216 exp(-1.386) - 5.6 exp(-6.93)
+  EXPECT_NEAR(hordijk_softening(1), 0, 1e-12);
+  double area = 0;  // the energy: 1 / 5.136 of strength by last opening
+  for (int i = 0; i < 10000; ++i) area += 1e-4 * hordijk_softening((i + 0.5) * 1e-4);
+  EXPECT_NEAR(area, 1 / 5.136, 1e-4);
+  EXPECT_NEAR(hordijk_last_opening(140, 3e6), 239.68e-6, 1e-9);
+}
+
+TEST(ReferenceCurves, ConcreteOfATensileStrength) {
+  EXPECT_NEAR(en_compressive_strength(0.3 * std::pow(30, 2.0 / 3) * 1e6), 38e6, 1);
+  EXPECT_NEAR(en_compressive_strength(9e6), 58e6, 1e-3);  // the upper end
+  EXPECT_NEAR(fib_fracture_energy(38e6), 140.5025, 1e-3);
 }
 
 TEST(ReferenceCurves, AllPassThroughOneAtThePeak) {

@@ -1,0 +1,132 @@
+// The charts of the page, in the place of their still pictures.
+
+function ink(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+}
+
+/** Columns with one common x, as uPlot wants them. */
+function aligned(series) {
+  const first = series[0].x;
+  const is_common = series.every((one) => one.x.length === first.length && one.x.every((x, i) => x === first[i]));
+  return is_common ? [first, ...series.map((one) => one.y)] : uPlot.join(series.map((one) => [one.x, one.y]));
+}
+
+class LiveChart {
+  /** @param moment  {strain in the unit of the axis, or null}: drawn as an upright line.
+   *  @param pick  called with the x that the reader clicks on; null = clicks do nothing. */
+  constructor(id, chart, moment, pick) {
+    this.place = document.getElementById("chart-" + id);
+    this.chart = chart;
+    this.moment = moment;
+    this.pick = pick;
+    this.shown = new Set();
+    this.all = [...chart.series, ...chart.references];
+    if (!this.place || chart.series.length === 0) return;
+    this.place.closest(".chart").classList.add("is-live");
+    this.holder = document.createElement("div");
+    this.place.append(this.holder);
+    this.add_switches();
+    this.build();
+    new ResizeObserver(() => this.resize()).observe(this.place);
+  }
+
+  size() {
+    const width = Math.max(240, Math.floor(this.place.clientWidth));
+    return { width, height: Math.round(Math.min(380, Math.max(220, 0.62 * width))) };
+  }
+
+  build() {
+    if (this.plot) this.plot.destroy();
+    const font = (size) => `${size}px system-ui, sans-serif`;
+    const text = { stroke: ink("text"), font: font(13), labelFont: font(this.place.clientWidth < 500 ? 11 : 13) };
+    const axis = (from) => ({
+      ...text, label: from.label, labelSize: 22, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : grouped(tick))), grid: { stroke: ink("grid"), width: 1 }, ticks: { stroke: ink("axis"), width: 1 },
+    });
+    this.plot = new uPlot({
+      ...this.size(),
+      scales: { x: { time: false, distr: this.chart.x.logarithmic ? 3 : 1 }, y: { distr: this.chart.y.logarithmic ? 3 : 1 } },
+      axes: [axis(this.chart.x), { ...axis(this.chart.y), size: 64 }],
+      series: [{ label: this.chart.x.label, value: (_, x) => rounded(x) }, ...this.all.map((one, i) => ({
+        label: one.name || this.chart.y.label,
+        stroke: ink(one.ink),
+        width: 2,
+        dash: one.dashed ? [7, 4] : undefined,
+        points: { show: false },
+        show: i < this.chart.series.length || this.shown.has(i),
+        value: (_, y) => rounded(y),
+      }))],
+      cursor: { drag: { x: true, y: false } },
+      hooks: { draw: [(plot) => this.draw_markers(plot), (plot) => this.draw_moment(plot)] },
+    }, aligned(this.all), this.holder);
+    if (this.pick)
+      this.plot.over.addEventListener("click", () => {
+        if (this.plot.cursor.left >= 0 && this.plot.select.width === 0) this.pick(this.plot.posToVal(this.plot.cursor.left, "x"));
+      });
+  }
+
+  /** A box for each reference curve, which is off at first. */
+  add_switches() {
+    if (this.chart.references.length === 0) return;
+    const row = document.createElement("p");
+    row.className = "controls";
+    row.append("Compare with: ");
+    this.chart.references.forEach((reference, k) => {
+      const label = document.createElement("label");
+      const box = document.createElement("input");
+      box.type = "checkbox";
+      box.addEventListener("change", () => this.show(this.chart.series.length + k, box.checked));
+      label.append(box, " " + reference.name);
+      row.append(label);
+    });
+    this.place.append(row);
+  }
+
+  show(index, on) {
+    if (on) this.shown.add(index);
+    else this.shown.delete(index);
+    this.plot.setSeries(index + 1, { show: on });
+  }
+
+  draw_markers(plot) {
+    const { ctx } = plot;
+    ctx.save();
+    ctx.fillStyle = ink("text");
+    ctx.font = `${13 * devicePixelRatio}px system-ui, sans-serif`;
+    for (const marker of this.chart.markers) {
+      const [x, y] = [plot.valToPos(marker.x, "x", true), plot.valToPos(marker.y, "y", true)];
+      ctx.beginPath();
+      ctx.arc(x, y, 3.5 * devicePixelRatio, 0, 2 * Math.PI);
+      ctx.fill();
+      const gap = 8 * devicePixelRatio;
+      const width = ctx.measureText(marker.text).width;
+      const beside = x + gap + width <= plot.bbox.left + plot.bbox.width ? x + gap : x - gap - width;
+      ctx.fillText(marker.text, Math.max(plot.bbox.left, beside), y - gap);
+    }
+    ctx.restore();
+  }
+
+  draw_moment(plot) {
+    if (this.moment.x === null || !this.pick) return;
+    const x = Math.round(plot.valToPos(this.moment.x, "x", true)) + 0.5;
+    const { left, top, width, height } = plot.bbox;
+    if (x < left || x > left + width) return;
+    plot.ctx.save();
+    plot.ctx.strokeStyle = ink("muted");
+    plot.ctx.lineWidth = 1;
+    plot.ctx.setLineDash([]);
+    plot.ctx.beginPath();
+    plot.ctx.moveTo(x, top);
+    plot.ctx.lineTo(x, top + height);
+    plot.ctx.stroke();
+    plot.ctx.restore();
+  }
+
+  redraw() {
+    if (this.plot) this.plot.redraw(false);
+  }
+
+  resize() {
+    const size = this.size();
+    if (this.plot && (size.width !== this.plot.width || size.height !== this.plot.height)) this.plot.setSize(size);
+  }
+}
