@@ -12,6 +12,7 @@
 #include "apps/convert_command.hpp"
 #include "apps/generate_command.hpp"
 #include "apps/inspect_command.hpp"
+#include "apps/report_command.hpp"
 #include "apps/reproduce_command.hpp"
 #include "apps/simulate_command.hpp"
 #include "apps/suggestion.hpp"
@@ -69,8 +70,8 @@ class Program {
   }
 
  private:
-  std::array<Command*, 7> commands() {
-    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &reproduce_, &bench_};
+  std::array<Command*, 8> commands() {
+    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &report_, &reproduce_, &bench_};
   }
 
   Command* find(const std::string& name) {
@@ -96,6 +97,7 @@ class Program {
   SimulateCommand simulate_{root_};
   CalibrateCommand calibrate_{root_};
   InspectCommand inspect_{root_};
+  ReportCommand report_{root_};
   ReproduceCommand reproduce_{root_};
   BenchCommand bench_{root_};
 };

@@ -63,6 +63,11 @@ std::string live_page(const std::string& title, const std::string& html, const s
           data, script));
 }
 
+std::string heading(const std::string& title, const std::string& setting) {
+  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n</header>\n", escape(title),
+                     escape(setting));
+}
+
 std::string section(const std::string& heading, const std::string& html) {
   return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", escape(heading), html);
 }

@@ -25,6 +25,8 @@ struct Fact {
 [[nodiscard]] std::string live_page(const std::string& title, const std::string& html,
                                     const std::string& data);
 
+/// Title of the page and a line below it.
+[[nodiscard]] std::string heading(const std::string& title, const std::string& setting);
 [[nodiscard]] std::string section(const std::string& heading, const std::string& html);
 [[nodiscard]] std::string paragraph(const std::string& text);
 

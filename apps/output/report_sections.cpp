@@ -185,8 +185,7 @@ std::string header_html(const RunRecord& record) {
   const std::string setting =
       fmt::format("{}, {}; {} mm, {} pixels", capitalised(setting_of_loading(scene)), word_of(scene.plane),
                   size_in_mm(record.specimen.mask), size_in_pixels(record.specimen.mask));
-  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n</header>\n",
-                     escape(title_of(record)), escape(setting));
+  return heading(title_of(record), setting);
 }
 
 std::string notes_section(const RunRecord& record) {

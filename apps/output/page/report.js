@@ -184,7 +184,7 @@ class FilmStage {
 
 async function add_curve_buttons(data, stress) {
   if (!stress || !stress.plot) return;
-  const csv = await inflated(data.csv);
+  const csv = data.csv && (await inflated(data.csv));
   const row = document.createElement("p");
   row.className = "controls";
   const add = (words, act) => {
@@ -194,7 +194,7 @@ async function add_curve_buttons(data, stress) {
     button.addEventListener("click", act);
     row.append(button);
   };
-  add("Save as CSV", () => save(new Blob([csv], { type: "text/csv" }), "curve.csv"));
+  if (csv) add("Save as CSV", () => save(new Blob([csv], { type: "text/csv" }), "curve.csv"));
   add("Save as PNG", () => chart_as_png(stress).then((blob) => save(blob, "curve.png")));
   stress.place.append(row);
 }

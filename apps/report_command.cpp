@@ -1,0 +1,88 @@
+#include "apps/report_command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "apps/output/comparison.hpp"
+#include "apps/scene_differences.hpp"
+#include "libmpm/replace_file.hpp"
+#include "libmpm/result_file.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer =
+    "Example:\n"
+    "  mesopix simulate specimen.h5 --seed 1 -o runs/one\n"
+    "  mesopix simulate specimen.h5 --seed 2 -o runs/two\n"
+    "  mesopix report runs/one runs/two -o comparison.html\n"
+    "The report of a single run is report.html in its folder.";
+
+/// The result of a run that was named by its folder, or by the file itself.
+fs::path result_of(const std::string& run) {
+  switch (kind_of_input(run)) {
+    case InputKind::folder:
+      return fs::path(run) / "result.h5";
+    case InputKind::hdf5:
+      return run;
+    default:
+      throw Rejected(Exit::usage, complaint("RUN", run, "must be the folder of a run, or its result.h5"));
+  }
+}
+
+/// The folder of each run by its last part; the whole path where that is not enough to tell them apart.
+std::vector<std::string> names_of(const std::vector<std::string>& runs) {
+  std::vector<std::string> names;
+  for (const std::string& run : runs) {
+    const fs::path folder = fs::absolute(result_of(run)).lexically_normal().parent_path();
+    names.push_back(folder.filename().string());
+  }
+  const std::vector<std::string> short_names = names;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (std::count(short_names.begin(), short_names.end(), short_names[i]) > 1) names[i] = runs[i];
+  return names;
+}
+
+void check(const std::vector<std::string>& runs) {
+  if (runs.size() < 2)
+    throw Rejected(Exit::usage,
+                   complaint("RUN", std::to_string(runs.size()) + " given", "must be two runs at least",
+                             "the report of a single run is report.html in its folder"));
+  if (runs.size() > output::most_compared_runs)
+    throw Rejected(Exit::usage, complaint("RUN", std::to_string(runs.size()) + " given",
+                                          "must be " + std::to_string(output::most_compared_runs) +
+                                              " runs at most: more lines cannot be told apart"));
+  for (const std::string& run : runs)
+    if (std::count(runs.begin(), runs.end(), run) > 1)
+      throw Rejected(Exit::usage, complaint("RUN", run, "must not be given twice"));
+}
+
+}  // namespace
+
+ReportCommand::ReportCommand(CLI::App& program)
+    : Command(program, "report", "Lay several runs over each other on one page", footer) {
+  options().add_option("RUN", runs_, "folders of runs, or their result.h5")->type_name("");
+  options().add_option("-o,--output", output_, "the page [comparison.html]")->type_name("FILE");
+}
+
+Exit ReportCommand::run(Console& console) {
+  check(runs_);
+  const std::vector<std::string> names = names_of(runs_);
+  std::vector<output::ComparedRun> compared;
+  std::vector<std::string> scenes;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const std::string path = result_of(runs_[i]).string();
+    compared.push_back({names[i], mpm::read_result(path)});
+    scenes.push_back(mpm::read_scene_text(path));
+  }
+  std::vector<output::ComparedSetting> settings;
+  for (SceneDifference& one : scene_differences(scenes))
+    settings.push_back({std::move(one.key), std::move(one.values)});
+  mpm::replace_file(output_, output::comparison_html(compared, settings));
+  console.say("wrote " + output_);
+  return Exit::ok;
+}
+
+}  // namespace app

@@ -1,0 +1,18 @@
+/// mesopix report: several runs on one page.
+#pragma once
+
+#include "apps/command.hpp"
+
+namespace app {
+
+class ReportCommand : public Command {
+ public:
+  explicit ReportCommand(CLI::App& program);
+  Exit run(Console& console) override;
+
+ private:
+  std::vector<std::string> runs_;
+  std::string output_ = "comparison.html";
+};
+
+}  // namespace app

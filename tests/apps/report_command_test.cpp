@@ -1,0 +1,91 @@
+#include "apps/report_command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "apps/program.hpp"
+#include "libmpm/result_file.hpp"
+#include "tests/apps/fake_run.hpp"
+#include "tests/specimen/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using app::Exit;
+using testing::HasSubstr;
+
+/// Runs the program in a folder of its own that holds the runs one, two and other/one.
+class ReportCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::current_path(folder_ / "");
+    const FakeRun run = tension_run(30);
+    for (const auto& [name, seed] : {std::pair{"one", 1}, {"two", 2}, {"other/one", 3}}) {
+      fs::create_directories(name);
+      mpm::write_result(std::string(name) + "/result.h5", run.result,
+                        "[damage]\nseed = " + std::to_string(seed) + "\n");
+    }
+  }
+  void TearDown() override { fs::current_path(before_); }
+
+  Exit run(std::vector<std::string> arguments) {
+    out_.str("");
+    err_.str("");
+    arguments.insert(arguments.begin(), "report");
+    app::Console console{out_, err_, false, false, {}};
+    return app::run_program(arguments, console);
+  }
+
+  static std::string page(const std::string& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  std::ostringstream out_;
+  std::ostringstream err_;
+
+ private:
+  fs::path before_ = fs::current_path();
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ReportCommand, LaysRunsOverEachOther) {
+  EXPECT_EQ(run({"one", "two/result.h5", "-o", "both.html"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(), HasSubstr("wrote both.html"));
+  EXPECT_THAT(page("both.html"), HasSubstr("<th scope=\"col\">one</th><th scope=\"col\">two</th>"));
+  EXPECT_THAT(page("both.html"), HasSubstr("damage.seed</th><td>1</td><td>2</td>"));
+}
+
+TEST_F(ReportCommand, TellsFoldersOfTheSameNameApart) {
+  EXPECT_EQ(run({"one", "other/one"}), Exit::ok) << err_.str();
+  EXPECT_THAT(page("comparison.html"), HasSubstr("<th scope=\"col\">other/one</th>"));
+}
+
+TEST_F(ReportCommand, RefusesWhatIsNoPairOfRuns) {
+  EXPECT_EQ(run({"one"}), Exit::usage);
+  EXPECT_EQ(
+      err_.str(),
+      "mesopix: RUN: 1 given; must be two runs at least; the report of a single run is report.html in its "
+      "folder\n");
+  EXPECT_EQ(run({"one", "one"}), Exit::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("must not be given twice"));
+  EXPECT_EQ(run(std::vector<std::string>(11, "one")), Exit::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("11 given; must be 10 runs at most"));
+  EXPECT_FALSE(fs::exists("comparison.html"));
+}
+
+TEST_F(ReportCommand, NamesTheRunThatCannotBeRead) {
+  EXPECT_EQ(run({"one", "missing"}), Exit::io);
+  EXPECT_THAT(err_.str(), HasSubstr("missing"));
+  fs::create_directories("empty");
+  EXPECT_EQ(run({"one", "empty"}), Exit::io);
+  EXPECT_THAT(err_.str(), HasSubstr("empty/result.h5"));
+  test::write_text("scene.toml", "[damage]\nseed = 1\n");
+  EXPECT_EQ(run({"one", "scene.toml"}), Exit::usage);
+  EXPECT_THAT(err_.str(), HasSubstr("must be the folder of a run"));
+}
+
+}  // namespace
