@@ -12,6 +12,7 @@
 #include "apps/convert_command.hpp"
 #include "apps/generate_command.hpp"
 #include "apps/inspect_command.hpp"
+#include "apps/plot_command.hpp"
 #include "apps/report_command.hpp"
 #include "apps/reproduce_command.hpp"
 #include "apps/simulate_command.hpp"
@@ -70,8 +71,9 @@ class Program {
   }
 
  private:
-  std::array<Command*, 8> commands() {
-    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &report_, &reproduce_, &bench_};
+  std::array<Command*, 9> commands() {
+    return {&generate_, &convert_, &simulate_,  &calibrate_, &inspect_,
+            &report_,   &plot_,    &reproduce_, &bench_};
   }
 
   Command* find(const std::string& name) {
@@ -98,6 +100,7 @@ class Program {
   CalibrateCommand calibrate_{root_};
   InspectCommand inspect_{root_};
   ReportCommand report_{root_};
+  PlotCommand plot_{root_};
   ReproduceCommand reproduce_{root_};
   BenchCommand bench_{root_};
 };

@@ -15,6 +15,7 @@
 #include "libmpm/replace_file.hpp"
 #include "libmpm/result_file.hpp"
 #include "specimen/preview.hpp"
+#include "specimen/specimen_file.hpp"
 
 namespace {
 
@@ -78,6 +79,7 @@ void write_end(const fs::path& folder, const RunRecord& record) {
 void write_run(const fs::path& folder, const RunRecord& record) {
   create_folder(folder);
   mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml);
+  specimen::write_specimen((folder / "specimen.h5").string(), record.specimen);
   write_text(folder / "curve.csv", output::curve_csv(record.result.history));
   write_text(folder / "summary.json",
              summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -26,6 +26,7 @@ struct RunRecord {
 /// Write a run folder, creating it where it is missing:
 ///   curve.csv      history, SI units in the names of the columns
 ///   result.h5      history, failure maps and scalars (mpm::write_result)
+///   specimen.h5    what was broken (specimen::write_specimen)
 ///   summary.json   summary() of the run
 ///   scene.toml     the resolved scene
 ///   specimen.png   preview of the mask

@@ -38,7 +38,22 @@ struct Words {
   Ink ink = Ink::text;
 };
 
-using Shape = std::variant<Stroke, Dot, Words>;
+/// A filled rectangle.
+struct Block {
+  Place corner;  ///< upper left
+  double width = 0, height = 0;
+  specimen::Rgb colour;
+  bool outlined = false;  ///< with a thin line round it
+};
+
+/// A picture whose pixels stay squares.
+struct Pixels {
+  Place corner;  ///< upper left
+  double width = 0, height = 0;
+  specimen::Raster<specimen::Rgb> picture;
+};
+
+using Shape = std::variant<Stroke, Dot, Words, Block, Pixels>;
 
 struct Drawing {
   double width = 0;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "apps/output/html.hpp"
+#include "apps/output/png.hpp"
 
 namespace output {
 namespace {
@@ -40,6 +41,18 @@ struct Element {
         "text-anchor=\"{}\">{}</text>\n",
         output::name_of(words.ink), words.at.x, words.at.y, words.size, name_of(words.anchor),
         escape(words.text));
+  }
+  std::string operator()(const Block& block) const {
+    return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"{}/>\n",
+                       block.corner.x, block.corner.y, block.width, block.height, hex(block.colour),
+                       block.outlined ? " class=\"stroke-axis\" stroke-width=\"0.5\"" : "");
+  }
+  std::string operator()(const Pixels& pixels) const {
+    return fmt::format(
+        "<image x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" style=\"image-rendering: "
+        "pixelated\" "
+        "href=\"{}\"/>\n",
+        pixels.corner.x, pixels.corner.y, pixels.width, pixels.height, png_address(png_of(pixels.picture)));
   }
 };
 

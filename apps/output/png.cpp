@@ -1,110 +1,33 @@
 #include "apps/output/png.hpp"
 
-#include <cairo.h>
-
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <memory>
-#include <stdexcept>
+
+#include "apps/output/cairo_drawing.hpp"
 
 namespace output {
 namespace {
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-
-void require(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error(std::string("picture: cannot be drawn: ") + cairo_status_to_string(status));
-}
-
-Surface blank(int width, int height) {
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy);
-  require(cairo_surface_status(surface.get()));
-  return surface;
-}
-
 std::string encode(cairo_surface_t* surface) {
   std::string bytes;
-  const auto append = [](void* target, const unsigned char* data, unsigned int size) {
-    static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(data), size);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  require(cairo_surface_write_to_png_stream(surface, append, &bytes));
+  cairo::require(cairo_surface_write_to_png_stream(surface, cairo::append, &bytes));
   return bytes;
 }
-
-void dip(cairo_t* pen, Ink ink) {
-  const specimen::Rgb colour = on_light_paper(ink);
-  cairo_set_source_rgb(pen, colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
-}
-
-struct Draw {
-  cairo_t* pen;
-
-  void operator()(const Stroke& stroke) const {
-    static constexpr double dashes[] = {6, 4};
-    dip(pen, stroke.ink);
-    cairo_set_line_width(pen, stroke.width);
-    cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_dash(pen, dashes, stroke.dashed ? 2 : 0, 0);
-    for (const Place& place : stroke.places) cairo_line_to(pen, place.x, place.y);
-    cairo_stroke(pen);
-  }
-
-  void operator()(const Dot& dot) const {
-    dip(pen, dot.ink);
-    cairo_arc(pen, dot.centre.x, dot.centre.y, dot.radius, 0, 2 * M_PI);
-    cairo_fill(pen);
-  }
-
-  void operator()(const Words& words) const {
-    cairo_set_font_size(pen, words.size);
-    cairo_text_extents_t extents;
-    cairo_text_extents(pen, words.text.c_str(), &extents);
-    const double share = words.anchor == Anchor::start ? 0 : words.anchor == Anchor::middle ? 0.5 : 1;
-    cairo_move_to(pen, words.at.x - share * extents.x_advance, words.at.y);
-    cairo_text_path(pen, words.text.c_str());
-    cairo_set_source_rgb(pen, 1, 1, 1);  // a rim of paper parts the words from the lines below
-    cairo_set_line_width(pen, 3);
-    cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_dash(pen, nullptr, 0, 0);
-    cairo_stroke_preserve(pen);
-    dip(pen, words.ink);
-    cairo_fill(pen);
-  }
-};
 
 }  // namespace
 
 std::string png_of(const Drawing& drawing, double scale, double margin) {
-  const Surface surface = blank(static_cast<int>(std::lround(scale * (drawing.width + 2 * margin))),
-                                static_cast<int>(std::lround(scale * (drawing.height + 2 * margin))));
-  const Pen pen(cairo_create(surface.get()), cairo_destroy);
-  cairo_set_source_rgb(pen.get(), 1, 1, 1);
-  cairo_paint(pen.get());
-  cairo_scale(pen.get(), scale, scale);
-  cairo_translate(pen.get(), margin, margin);
-  cairo_select_font_face(pen.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  for (const Shape& shape : drawing.shapes) std::visit(Draw{pen.get()}, shape);
-  require(cairo_status(pen.get()));
+  const cairo::Surface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                 static_cast<int>(std::lround(scale * (drawing.width + 2 * margin))),
+                                 static_cast<int>(std::lround(scale * (drawing.height + 2 * margin)))),
+      cairo_surface_destroy);
+  cairo::require(cairo_surface_status(surface.get()));
+  cairo::draw(surface.get(), drawing, scale, margin);
   return encode(surface.get());
 }
 
 std::string png_of(const specimen::Raster<specimen::Rgb>& picture) {
-  const Surface surface = blank(picture.cols, picture.rows);
-  cairo_surface_flush(surface.get());
-  unsigned char* pixels = cairo_image_surface_get_data(surface.get());
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  for (int row = 0; row < picture.rows; ++row)
-    for (int col = 0; col < picture.cols; ++col) {
-      const specimen::Rgb colour = picture(row, col);
-      const std::uint32_t value = std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
-      std::memcpy(pixels + static_cast<std::ptrdiff_t>(row) * stride + 4 * col, &value, sizeof value);
-    }
-  cairo_surface_mark_dirty(surface.get());
-  return encode(surface.get());
+  return encode(cairo::surface_of(picture).get());
 }
 
 }  // namespace output

@@ -46,13 +46,9 @@ specimen::Specimen draw_specimen(int pixels) {
     for (int col = 0; col < pixels; ++col)
       specimen.mask.labels(row, col) =
           phase_at(aggregates, specimen.mask.centre(row, col), specimen.mask.pixel_size);
-  for (const specimen::Ellipse& disc : aggregates) {
-    specimen::Inclusion inclusion;
-    inclusion.id = static_cast<int>(specimen.inclusions.size()) + 1;
-    inclusion.ellipse = disc;
-    inclusion.equivalent_diameter = 2 * disc.a;
-    specimen.inclusions.push_back(inclusion);
-  }
+  for (const specimen::Ellipse& disc : aggregates)
+    specimen.inclusions.push_back(
+        specimen::make_inclusion(static_cast<int>(specimen.inclusions.size()) + 1, disc));
   specimen.provenance = {"generated", "", "[generate]\nfraction = 0.45\nseed = 7\n", 7, "0.1.0"};
   return specimen;
 }

@@ -59,12 +59,26 @@ class RunFolder : public testing::Test {
 TEST_F(RunFolder, HoldsTheseFilesAndNoOthers) {
   const FakeRun run = tension_run(30);
   write_run(folder_, run.record());
-  EXPECT_EQ(names(), (std::set<std::string>{
-                         "curve.csv", "curve.png", "report.html", "result.h5", "scene.toml", "specimen.png",
-                         "summary.json", "damage_025.png", "damage_050.png", "damage_075.png",
-                         "damage_100.png", "damage_125.png", "damage_150.png", "damage_025_colour.png",
-                         "damage_050_colour.png", "damage_075_colour.png", "damage_100_colour.png",
-                         "damage_125_colour.png", "damage_150_colour.png"}));
+  EXPECT_EQ(names(), (std::set<std::string>{"curve.csv",
+                                            "curve.png",
+                                            "report.html",
+                                            "result.h5",
+                                            "scene.toml",
+                                            "specimen.h5",
+                                            "specimen.png",
+                                            "summary.json",
+                                            "damage_025.png",
+                                            "damage_050.png",
+                                            "damage_075.png",
+                                            "damage_100.png",
+                                            "damage_125.png",
+                                            "damage_150.png",
+                                            "damage_025_colour.png",
+                                            "damage_050_colour.png",
+                                            "damage_075_colour.png",
+                                            "damage_100_colour.png",
+                                            "damage_125_colour.png",
+                                            "damage_150_colour.png"}));
 }
 
 TEST_F(RunFolder, HoldsWhatItWasGiven) {

@@ -1,0 +1,36 @@
+#include "apps/run_reader.hpp"
+
+#include "apps/command.hpp"
+#include "apps/scene_builder.hpp"
+#include "apps/scene_file.hpp"
+#include "libmpm/result_file.hpp"
+#include "specimen/digest.hpp"
+#include "specimen/specimen_file.hpp"
+
+namespace app {
+
+RunRecord ReadRun::record() const {
+  return {specimen, scene, result, scene_toml, specimen::sha256_of_text(scene_toml), title, {}};
+}
+
+ReadRun read_run(const std::string& folder) {
+  if (kind_of_input(folder) != InputKind::folder)
+    throw Rejected(Exit::usage, complaint("RUN", folder, "must be the folder of a run"));
+  const auto file = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
+  ReadRun run;
+  run.result = mpm::read_result(file("result.h5"));
+  run.specimen = specimen::read_specimen(file("specimen.h5"));
+  run.scene_toml = mpm::read_scene_text(file("result.h5"));
+  const Settings settings = resolve(parse_scene(run.scene_toml, file("scene.toml")), {}).settings;
+  run.scene = build_scene(run.specimen, settings);
+  run.title = settings.title;
+  const bool fits =
+      run.result.failure_strain.size() == 0 || (run.result.failure_strain.rows() == run.scene.labels.rows() &&
+                                                run.result.failure_strain.cols() == run.scene.labels.cols());
+  if (!fits)
+    throw Rejected(Exit::data, complaint(folder, "specimen.h5 and result.h5 have other shapes", "",
+                                         "take the folder as one run has written it"));
+  return run;
+}
+
+}  // namespace app

@@ -1,0 +1,93 @@
+#include "apps/plot_command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "apps/program.hpp"
+#include "tests/specimen/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using app::Exit;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Runs the program in a folder of its own that holds the run `run`, which ends before its peak.
+class PlotCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::current_path(folder_ / "");
+    test::write_text(
+        "scene.toml",
+        "[generate]\nwidth = \"20 mm\"\nheight = \"20 mm\"\npixel_size = \"1 mm\"\nfraction = 0.3\n"
+        "d_min = \"4 mm\"\nd_max = \"8 mm\"\n[loading]\nstop_strain = 20e-6\n");
+    ASSERT_EQ(call({"simulate", "scene.toml", "-o", "run"}), Exit::ok) << err_.str();
+  }
+  void TearDown() override { fs::current_path(before_); }
+
+  Exit call(const std::vector<std::string>& arguments) {
+    out_.str("");
+    err_.str("");
+    app::Console console{out_, err_, false, false, {}};
+    return app::run_program(arguments, console);
+  }
+
+  static std::string content(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  std::ostringstream out_;
+  std::ostringstream err_;
+
+ private:
+  fs::path before_ = fs::current_path();
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(PlotCommand, DrawsTheDamageInEveryFormat) {
+  for (const auto& [file, begins] :
+       {std::pair{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}, {"a.PDF", "%PDF"}}) {
+    EXPECT_EQ(call({"plot", "run", "-o", file}), Exit::ok) << err_.str();
+    EXPECT_THAT(content(file), StartsWith(begins)) << file;
+  }
+  EXPECT_EQ(call({"plot", "run"}), Exit::ok);
+  EXPECT_TRUE(fs::exists("damage.png"));
+}
+
+TEST_F(PlotCommand, OptionsChangeThePicture) {
+  const auto drawn = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"plot", "run", "-o", "one.png"});
+    EXPECT_EQ(call(options), Exit::ok) << err_.str();
+    return content("one.png");
+  };
+  const std::string first = drawn({});
+  EXPECT_EQ(drawn({"--at", "100%peak", "--look", "grey", "--what", "damage"}), first);
+  EXPECT_NE(drawn({"--at", "10e-6"}), first);
+  EXPECT_NE(drawn({"--look", "colour"}), first);
+  EXPECT_NE(drawn({"--what", "curve"}), first);
+  EXPECT_EQ(drawn({"--at", "50 %peak"}), drawn({"--at", "0.5peak"}));
+}
+
+TEST_F(PlotCommand, RefusesWhatItCannotDraw) {
+  const auto refusal = [&](std::vector<std::string> options, Exit code) {
+    options.insert(options.begin(), "plot");
+    EXPECT_EQ(call(options), code) << err_.str();
+    return err_.str();
+  };
+  EXPECT_THAT(refusal({}, Exit::usage), HasSubstr("RUN: missing"));
+  EXPECT_THAT(refusal({"run", "--at", "30e-6"}, Exit::data),
+              HasSubstr("--at: 30e-6; must be from 0 to 20.0 microstrain, where the run ended"));
+  EXPECT_THAT(refusal({"run", "--at", "-1e-6"}, Exit::data), HasSubstr("must be from 0"));
+  EXPECT_THAT(refusal({"run", "--at", "soon"}, Exit::usage), HasSubstr("--at: soon"));
+  EXPECT_THAT(refusal({"run", "--what", "stress"}, Exit::usage), HasSubstr("must be damage or curve"));
+  EXPECT_THAT(refusal({"run", "--look", "red"}, Exit::usage), HasSubstr("must be grey or colour"));
+  EXPECT_THAT(refusal({"run", "-o", "a.gif"}, Exit::usage), HasSubstr("must be .png, .svg or .pdf"));
+  EXPECT_THAT(refusal({"nowhere"}, Exit::io), HasSubstr("nowhere"));
+}
+
+}  // namespace
