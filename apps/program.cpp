@@ -10,6 +10,7 @@
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
+#include "apps/export_command.hpp"
 #include "apps/generate_command.hpp"
 #include "apps/inspect_command.hpp"
 #include "apps/reproduce_command.hpp"
@@ -69,8 +70,8 @@ class Program {
   }
 
  private:
-  std::array<Command*, 7> commands() {
-    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &reproduce_, &bench_};
+  std::array<Command*, 8> commands() {
+    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_, &export_, &reproduce_, &bench_};
   }
 
   Command* find(const std::string& name) {
@@ -96,6 +97,7 @@ class Program {
   SimulateCommand simulate_{root_};
   CalibrateCommand calibrate_{root_};
   InspectCommand inspect_{root_};
+  ExportCommand export_{root_};
   ReproduceCommand reproduce_{root_};
   BenchCommand bench_{root_};
 };
