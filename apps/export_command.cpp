@@ -117,12 +117,18 @@ double pixel_size_beside(const std::string& result_file) {
   return size;
 }
 
-void make_folder(const fs::path& folder) {
+/// The folder for the maps of a run: the wanted one, made where it is missing, or that of the run itself.
+fs::path folder_of_maps(const fs::path& wanted, const std::string& result_file) {
+  if (wanted.empty()) return fs::path(result_file).parent_path();
+  if (wanted.extension() == ".tif")
+    throw Rejected(Exit::usage, complaint("-o", wanted.string(),
+                                          "must be a folder, for damage.tif and failure_strain.tif"));
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw Rejected(Exit::io, complaint("-o", folder.string(), "must be a folder that can be made",
-                                       error ? error.message() : ""));
+  fs::create_directories(wanted, error);
+  if (error)
+    throw Rejected(Exit::io,
+                   complaint("-o", wanted.string(), "must be a folder that can be made", error.message()));
+  return wanted;
 }
 
 }  // namespace
@@ -164,8 +170,7 @@ Exit ExportCommand::export_run(const std::string& result_file, Console& console)
                                           "give the specimen, or --to tif for the damage of the run"));
   const mpm::Result result = mpm::read_result(result_file);
   const double pixel_size = pixel_size_beside(result_file);
-  const fs::path folder = output_.empty() ? fs::path(result_file).parent_path() : fs::path(output_);
-  if (!output_.empty()) make_folder(folder);
+  const fs::path folder = folder_of_maps(output_, result_file);
   for (const std::string& file : write_run_maps(folder, {result, pixel_size})) console.say("wrote " + file);
   return Exit::ok;
 }

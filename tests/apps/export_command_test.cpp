@@ -24,14 +24,17 @@ class ExportCommand : public testing::Test {
   void SetUp() override {
     fs::current_path(folder_ / "");
     specimen::write_specimen("specimen.h5", test::small_specimen());
-    fs::create_directory("run");
     mpm::Result result;
     result.failure_mode = mpm::Lattice<std::uint8_t>::Zero(2, 3);
     result.failure_strain = mpm::Lattice<float>::Constant(2, 3, std::numeric_limits<float>::quiet_NaN());
     result.failure_mode(0, 1) = 2;
     result.failure_strain(0, 1) = 1.5e-4F;
-    mpm::write_result("run/result.h5", result, "");
-    test::write_text("run/summary.json", R"({"specimen": {"pixel_size_m": 0.0005}})");
+    write_run("run", result);
+  }
+  static void write_run(const fs::path& folder, const mpm::Result& result) {
+    fs::create_directory(folder);
+    mpm::write_result((folder / "result.h5").string(), result, "");
+    test::write_text((folder / "summary.json").string(), R"({"specimen": {"pixel_size_m": 0.0005}})");
   }
   void TearDown() override { fs::current_path(before_); }
 
@@ -118,12 +121,27 @@ TEST_F(ExportCommand, MapsOfARunLieInItsFolder) {
   EXPECT_THAT(damage.gray.data, testing::ElementsAre(0, 2, 0, 0, 0, 0));
 }
 
+TEST_F(ExportCommand, FailureStrainsAreThoseOfTheResult) {
+  mpm::Result broken;
+  broken.failure_mode = mpm::Lattice<std::uint8_t>::Ones(2, 2);
+  broken.failure_strain.resize(2, 2);
+  broken.failure_strain << 1e-4F, 2e-4F, 3e-4F, 4e-4F;
+  write_run("broken", broken);
+  EXPECT_EQ(run({"broken", "--to", "tif", "-q"}), Exit::ok) << err_.str();
+  const specimen::Picture strain = specimen::read_picture("broken/failure_strain.tif");
+  EXPECT_EQ(strain.bits, 32);
+  EXPECT_DOUBLE_EQ(strain.pixel_size, 0.5e-3);
+  EXPECT_THAT(strain.gray.data, testing::ElementsAre(1e-4F, 2e-4F, 3e-4F, 4e-4F)) << "the top row first";
+}
+
 TEST_F(ExportCommand, MapsOfARunGoWhereTheyAreWanted) {
   EXPECT_EQ(run({"run", "--to", "tif", "-o", "maps/of/run"}), Exit::ok) << err_.str();
   EXPECT_TRUE(fs::exists("maps/of/run/damage.tif"));
   EXPECT_TRUE(fs::exists("maps/of/run/failure_strain.tif"));
   expect_refusal({"run", "--to", "tif", "-o", "specimen.h5"}, Exit::io,
                  "-o: specimen.h5; must be a folder that can be made; Not a directory");
+  expect_refusal({"run", "--to", "tif", "-o", "a.tif"}, Exit::usage,
+                 "-o: a.tif; must be a folder, for damage.tif and failure_strain.tif");
 }
 
 TEST_F(ExportCommand, NeedsTheSummaryOfTheRunForItsScale) {

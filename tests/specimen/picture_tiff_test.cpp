@@ -234,6 +234,7 @@ TEST(PictureTiff, WritesScaleAndShadesForImageJ) {
   values.data = {0, 1, 2, 3, 0, 200};
   specimen::write_imagej_tiff(scratch.file("a.tif"), values, 0.125e-3);
   TIFF* tiff = TIFFOpen(scratch.file("a.tif").c_str(), "r");
+  ASSERT_NE(tiff, nullptr);
   const char* description = nullptr;
   float resolution = 0;
   std::uint16_t unit = 0;
@@ -255,6 +256,7 @@ TEST(PictureTiff, WritesFloatsForImageJAsTheyAre) {
   values.data = {1.25e-4F, -3, std::numeric_limits<float>::quiet_NaN(), 0};
   specimen::write_imagej_tiff(scratch.file("a.tif"), values, 0.125e-3);
   TIFF* tiff = TIFFOpen(scratch.file("a.tif").c_str(), "r");
+  ASSERT_NE(tiff, nullptr);
   std::array<float, 2> top{}, bottom{};
   EXPECT_EQ(TIFFReadScanline(tiff, top.data(), 0), 1);
   EXPECT_EQ(TIFFReadScanline(tiff, bottom.data(), 1), 1);
