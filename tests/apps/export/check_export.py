@@ -88,8 +88,9 @@ def check_gmsh():
             left, bottom = col * d, (len(ROWS) - 1 - row) * d
             wanted = [(left, bottom), (left + d, bottom), (left + d, bottom + d), (left, bottom + d)]
             assert all(math.dist(p, q) < 1e-12 for p, q in zip(corners, wanted)), (corners, wanted)
-    for name, wanted in {"BOTTOM": [(c * d, 0) for c in range(5)], "LEFT": [(0, r * d) for r in range(4)],
-                         "RIGHT": [(4 * d, r * d) for r in range(3)], "TOP": [(c * d, 3 * d) for c in range(4)]}.items():
+    edges = {"BOTTOM": [(c * d, 0) for c in range(5)], "RIGHT": [(4 * d, r * d) for r in range(3)],
+             "TOP": [(c * d, 3 * d) for c in range(4)], "LEFT": [(0, r * d) for r in range(4)]}
+    for name, wanted in edges.items():
         nodes, _ = gmsh.model.mesh.getNodesForPhysicalGroup(*groups[name])
         found = sorted(place[int(node)] for node in nodes)
         assert len(found) == len(wanted) and all(math.dist(p, q) < 1e-12 for p, q in zip(found, wanted)), (name, found)
@@ -225,7 +226,8 @@ def check_imagej(jar):
         }}
         print("strain", bitDepth(), unit, w, h, failed, sum);
         """)
-    said = [line.split() for line in run("xvfb-run", "-a", "java", "-jar", jar, "-batch", here / "look.ijm").splitlines()]
+    log = run("xvfb-run", "-a", "java", f"-Duser.home={here}", "-jar", jar, "-batch", here / "look.ijm")
+    said = [line.split() for line in log.splitlines()]
     told = {words[0]: words[1:] for words in said if words}
     assert told["labels"] == ["60", "40", "8", "mm", "0.5", "0.5", "0", "2"], told["labels"]
 
