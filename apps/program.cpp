@@ -10,6 +10,7 @@
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
+#include "apps/export_command.hpp"
 #include "apps/generate_command.hpp"
 #include "apps/inspect_command.hpp"
 #include "apps/plot_command.hpp"
@@ -71,9 +72,9 @@ class Program {
   }
 
  private:
-  std::array<Command*, 9> commands() {
-    return {&generate_, &convert_, &simulate_,  &calibrate_, &inspect_,
-            &report_,   &plot_,    &reproduce_, &bench_};
+  std::array<Command*, 10> commands() {
+    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_,
+            &report_,   &plot_,    &export_,   &reproduce_, &bench_};
   }
 
   Command* find(const std::string& name) {
@@ -101,6 +102,7 @@ class Program {
   InspectCommand inspect_{root_};
   ReportCommand report_{root_};
   PlotCommand plot_{root_};
+  ExportCommand export_{root_};
   ReproduceCommand reproduce_{root_};
   BenchCommand bench_{root_};
 };

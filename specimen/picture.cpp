@@ -71,4 +71,14 @@ void write_labels(const std::string& path, const LabelledMask& mask) {
   replace_file(path, std::as_bytes(std::span(bytes)));
 }
 
+void write_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& values, double pixel_size) {
+  const Bytes bytes = encode_imagej_tiff(path, values, pixel_size);
+  replace_file(path, std::as_bytes(std::span(bytes)));
+}
+
+void write_imagej_tiff(const std::string& path, const Raster<float>& values, double pixel_size) {
+  const Bytes bytes = encode_imagej_tiff(path, values, pixel_size);
+  replace_file(path, std::as_bytes(std::span(bytes)));
+}
+
 }  // namespace specimen

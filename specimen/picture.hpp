@@ -42,4 +42,11 @@ void write_png(const std::string& path, const Raster<Rgb>& picture, double pixel
 /// fails.
 void write_labels(const std::string& path, const LabelledMask& mask);
 
+/// Write values of one channel as a TIFF that ImageJ and Fiji open with its scale in mm: they take the unit
+/// from the description, where ImageJ itself keeps it, since the tag of the resolution knows only cm and
+/// inch. Bytes show in shades from black = 0 to white = the largest value. Not-a-number stays what it is.
+/// @param pixel_size  [m].   @throws Error (Fault::write).
+void write_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& values, double pixel_size);
+void write_imagej_tiff(const std::string& path, const Raster<float>& values, double pixel_size);
+
 }  // namespace specimen

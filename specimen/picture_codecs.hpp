@@ -23,6 +23,11 @@ namespace specimen {
                                double pixel_size);
 [[nodiscard]] Bytes encode_tiff(const std::string& path, const Raster<std::uint8_t>& labels,
                                 double pixel_size);
+/// With the scale where ImageJ looks for it.
+[[nodiscard]] Bytes encode_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& values,
+                                       double pixel_size);
+[[nodiscard]] Bytes encode_imagej_tiff(const std::string& path, const Raster<float>& values,
+                                       double pixel_size);
 [[nodiscard]] Bytes encode_bmp(const Raster<std::uint8_t>& labels, double pixel_size);
 [[nodiscard]] Bytes encode_pgm(const Raster<std::uint8_t>& labels);
 

@@ -2,7 +2,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "specimen/picture_codecs.hpp"
@@ -73,14 +75,36 @@ TiffTags read_tags(TIFF* tiff, const PictureSource& source) {
   return tags;
 }
 
+/// Unit of length in a description by ImageJ, which overrides the tag [m]; 0 = there is none that is known.
+double imagej_unit(TIFF* tiff) {
+  static const std::map<std::string_view, double> units{
+      {"nm", 1e-9}, {"um", 1e-6},       {"\\u00B5m", 1e-6}, {"micron", 1e-6}, {"microns", 1e-6},
+      {"mm", 1e-3}, {"cm", centimetre}, {"m", 1},           {"inch", inch}};
+  const char* description = nullptr;
+  if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description) != 1 || description == nullptr) return 0;
+  const std::string_view text(description);
+  constexpr std::string_view key = "\nunit=";
+  const std::size_t at = text.find(key);
+  if (text.substr(0, 7) != "ImageJ=" || at == std::string_view::npos) return 0;
+  const std::string_view rest = text.substr(at + key.size());
+  const auto unit = units.find(rest.substr(0, rest.find('\n')));
+  return unit == units.end() ? 0 : unit->second;
+}
+
+double unit_of_resolution(TIFF* tiff) {
+  if (const double unit = imagej_unit(tiff); unit > 0) return unit;
+  const int unit = short_tag(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+  if (unit == RESUNIT_CENTIMETER) return centimetre;
+  return unit == RESUNIT_INCH ? inch : 0;
+}
+
 double pixel_size(TIFF* tiff) {
   float x = 0, y = 0;
   if (TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &x) != 1 || TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &y) != 1)
     return 0;
-  const int unit = short_tag(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-  if (unit != RESUNIT_INCH && unit != RESUNIT_CENTIMETER) return 0;
-  const double length = unit == RESUNIT_INCH ? inch : centimetre;
-  return pixel_size_of(static_cast<double>(x) / length, static_cast<double>(y) / length);
+  const double unit = unit_of_resolution(tiff);
+  if (unit == 0) return 0;
+  return pixel_size_of(static_cast<double>(x) / unit, static_cast<double>(y) / unit);
 }
 
 /// Values of one channel out of a row of interleaved samples.

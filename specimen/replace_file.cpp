@@ -82,17 +82,21 @@ void flush_folder_of(const std::string& path) {
 
 }  // namespace
 
-void replace_file(const std::string& path, std::span<const std::byte> bytes) {
+void replace_file(const std::string& path, const std::function<void(const ByteSink&)>& produce) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) fail(path, "it is a folder", "give the name of a file");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     fail(path, "it is a device or a pipe, and a rename would replace it", "give the name of a file");
   TemporaryFile file(path);
-  file.write(bytes);
+  produce([&](std::span<const std::byte> bytes) { file.write(bytes); });
   file.flush_and_close();
   file.rename_to_target();
   flush_folder_of(path);
+}
+
+void replace_file(const std::string& path, std::span<const std::byte> bytes) {
+  replace_file(path, [&](const ByteSink& sink) { sink(bytes); });
 }
 
 }  // namespace specimen

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -12,5 +13,13 @@ namespace specimen {
 /// one and no temporary file.
 /// @throws Error (Fault::write) naming the path and the system's reason.
 void replace_file(const std::string& path, std::span<const std::byte> bytes);
+
+/// Takes the next bytes of a file.
+using ByteSink = std::function<void(std::span<const std::byte>)>;
+
+/// The same for a file that is too large to be held in memory.
+/// @param produce  hands the bytes to the sink that it is given, piece by piece; what it throws leaves the
+/// old file as well.
+void replace_file(const std::string& path, const std::function<void(const ByteSink&)>& produce);
 
 }  // namespace specimen

@@ -62,10 +62,10 @@ TEST_F(Program, TellsItsVersion) {
 TEST_F(Program, HelpNamesEveryCommandWithAnExample) {
   EXPECT_EQ(run({"--help"}), Exit::ok);
   for (const char* command :
-       {"generate", "convert", "simulate", "calibrate", "inspect", "reproduce", "bench"})
+       {"generate", "convert", "simulate", "calibrate", "inspect", "export", "reproduce", "bench"})
     EXPECT_THAT(out_.str(), HasSubstr(command));
   for (const std::string command :
-       {"generate", "convert", "simulate", "calibrate", "inspect", "reproduce", "bench"}) {
+       {"generate", "convert", "simulate", "calibrate", "inspect", "export", "reproduce", "bench"}) {
     EXPECT_EQ(run({command, "--help"}), Exit::ok);
     EXPECT_THAT(out_.str(), HasSubstr("Usage: mesopix " + command));
     EXPECT_THAT(out_.str(), HasSubstr("Example"));
@@ -82,11 +82,11 @@ TEST_F(Program, RefusesWhatItDoesNotKnow) {
   expect_refusal(
       {"simulte"}, Exit::usage,
       "simulte: unknown command; must be generate, convert, simulate, calibrate, inspect, report, plot, "
-      "reproduce or bench; did "
+      "export, reproduce or bench; did "
       "you mean simulate?");
   expect_refusal({"--json"}, Exit::usage,
                  "--json: is no command; must be generate, convert, simulate, calibrate, inspect, report, "
-                 "plot, reproduce "
+                 "plot, export, reproduce "
                  "or bench; mesopix "
                  "--help tells what they "
                  "do");

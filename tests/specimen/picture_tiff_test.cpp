@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -195,6 +196,74 @@ TEST(PictureTiff, RefusesBeginningsAndSurvivesDamage) {
     EXPECT_LE(specimen_test::read_all_beginnings(scratch, whole), 4);
     specimen_test::survive_damage(scratch, whole);
   }
+}
+
+/// Pixel size that is read where the resolution is 4 pixels a unit and ImageJ describes the picture so.
+double pixel_size_described(const std::string& description, int resolution_unit = RESUNIT_NONE) {
+  const Scratch scratch;
+  const std::string path = make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+  TIFF* tiff = TIFFOpen(path.c_str(), "r+");
+  TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+  TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, resolution_unit);
+  TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 4.0);
+  TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 4.0);
+  TIFFRewriteDirectory(tiff);
+  TIFFClose(tiff);
+  return specimen::read_picture(path).pixel_size;
+}
+
+TEST(PictureTiff, TakesTheUnitOfItsScaleFromImageJ) {
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=mm\nmin=0.0\n"), 0.25e-3);
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=cm\n"), 0.25e-2);
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nimages=1\nunit=\\u00B5m\n"), 0.25e-6);
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=micron"), 0.25e-6);
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=mm\n", RESUNIT_INCH), 0.25e-3)
+      << "as ImageJ does";
+}
+
+TEST(PictureTiff, TakesTheTagWhereImageJSaysNothing) {
+  EXPECT_EQ(pixel_size_described("ImageJ=1.53t\nunit=pixel\n"), 0);
+  EXPECT_EQ(pixel_size_described("unit=mm\n"), 0) << "another program's words";
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\n", RESUNIT_CENTIMETER), 0.25e-2);
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=furlong\n", RESUNIT_CENTIMETER), 0.25e-2);
+}
+
+TEST(PictureTiff, WritesScaleAndShadesForImageJ) {
+  const Scratch scratch;
+  specimen::Raster<std::uint8_t> values(2, 3);
+  values.data = {0, 1, 2, 3, 0, 200};
+  specimen::write_imagej_tiff(scratch.file("a.tif"), values, 0.125e-3);
+  TIFF* tiff = TIFFOpen(scratch.file("a.tif").c_str(), "r");
+  ASSERT_NE(tiff, nullptr);
+  const char* description = nullptr;
+  float resolution = 0;
+  std::uint16_t unit = 0;
+  TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description);
+  TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &resolution);
+  TIFFGetField(tiff, TIFFTAG_RESOLUTIONUNIT, &unit);
+  EXPECT_STREQ(description, "ImageJ=1.53t\nunit=mm\nmin=0.0\nmax=200.0\n");
+  EXPECT_EQ(resolution, 8);
+  EXPECT_EQ(unit, RESUNIT_NONE);
+  TIFFClose(tiff);
+  const Picture picture = specimen::read_picture(scratch.file("a.tif"));
+  EXPECT_TRUE(std::equal(values.data.begin(), values.data.end(), picture.gray.data.begin()));
+  EXPECT_DOUBLE_EQ(picture.pixel_size, 0.125e-3);
+}
+
+TEST(PictureTiff, WritesFloatsForImageJAsTheyAre) {
+  const Scratch scratch;
+  specimen::Raster<float> values(2, 2);
+  values.data = {1.25e-4F, -3, std::numeric_limits<float>::quiet_NaN(), 0};
+  specimen::write_imagej_tiff(scratch.file("a.tif"), values, 0.125e-3);
+  TIFF* tiff = TIFFOpen(scratch.file("a.tif").c_str(), "r");
+  ASSERT_NE(tiff, nullptr);
+  std::array<float, 2> top{}, bottom{};
+  EXPECT_EQ(TIFFReadScanline(tiff, top.data(), 0), 1);
+  EXPECT_EQ(TIFFReadScanline(tiff, bottom.data(), 1), 1);
+  TIFFClose(tiff);
+  EXPECT_EQ(top, (std::array{1.25e-4F, -3.0F}));
+  EXPECT_TRUE(std::isnan(bottom[0]));
+  EXPECT_EQ(bottom[1], 0);
 }
 
 }  // namespace

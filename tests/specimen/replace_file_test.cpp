@@ -69,6 +69,27 @@ TEST(ReplaceFile, KeepsTheOldFileWhenTheDiskIsFull) {
   EXPECT_EQ(folder.size(), 1) << "the temporary file was left behind";
 }
 
+TEST(ReplaceFile, TakesTheBytesPieceByPiece) {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "a", [](const specimen::ByteSink& sink) {
+    for (const std::string piece : {"one ", "", "two"}) sink(std::as_bytes(std::span(piece)));
+  });
+  EXPECT_EQ(test::read_text(folder / "a"), "one two");
+}
+
+TEST(ReplaceFile, KeepsTheOldFileWhenThePiecesBreakOff) {
+  const test::TemporaryFolder folder;
+  replace_with_text(folder / "a", "old");
+  const auto break_off = [](const specimen::ByteSink& sink) {
+    const std::string piece = "new";
+    sink(std::as_bytes(std::span(piece)));
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(replace_file(folder / "a", break_off), std::runtime_error);
+  EXPECT_EQ(test::read_text(folder / "a"), "old");
+  EXPECT_EQ(folder.size(), 1) << "the temporary file was left behind";
+}
+
 TEST(ReplaceFile, SaysWhatIsWrongWithAPath) {
   const test::TemporaryFolder folder;
   EXPECT_THAT(message_of_failure(folder / "none/a"),
