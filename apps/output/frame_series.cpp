@@ -63,6 +63,7 @@ std::string FrameSeries::text() const {
 }
 
 void FrameXdmf::add(const FrameEntry& frame) {
+  if (frame.points == 0) return;
   grids_ += "      <Grid Name=\"" + frame.path + "\" GridType=\"Uniform\">\n        <Time Value=\"" +
             exact(frame.time) + "\"/>\n        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" +
             std::to_string(frame.points) + "\" NodesPerElement=\"1\">" +

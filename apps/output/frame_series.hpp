@@ -29,7 +29,7 @@ class FrameSeries {
 };
 
 /// The same frames for whatever reads XDMF 3.0: a temporal collection of Polyvertex grids, whose numbers stay
-/// in the files of the frames.
+/// in the files of the frames. A frame without points is left out: readers take it for an error.
 class FrameXdmf {
  public:
   void add(const FrameEntry& frame);

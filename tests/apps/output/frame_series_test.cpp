@@ -7,7 +7,6 @@
 
 namespace {
 
-using output::FrameEntry;
 using testing::HasSubstr;
 
 TEST(FrameName, SortsByNumberAndIsKnownAgain) {
@@ -42,6 +41,14 @@ TEST(FrameXdmf, GivesEveryVertexItsPoint) {
               HasSubstr("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"5\" NodesPerElement=\"1\">"
                         "<DataItem Dimensions=\"5 1\" NumberType=\"Int\" Precision=\"8\" Format=\"HDF\">"
                         "frames/p_000000.hdf:/VTKHDF/Connectivity</DataItem></Topology>"));
+}
+
+TEST(FrameXdmf, LeavesOutAFrameWithoutPoints) {
+  output::FrameXdmf xdmf;
+  xdmf.add({"frames/p_000000.hdf", 0, 5});
+  const std::string before = xdmf.text();
+  xdmf.add({"frames/p_000001.hdf", 1, 0});
+  EXPECT_EQ(xdmf.text(), before);
 }
 
 }  // namespace
