@@ -283,6 +283,9 @@ std::vector<Field> output_fields() {
       field("output.title", Text{}, "of the report", MEMBER(title)),
       field("output.history_rows", Integer<>{{between(10, 1'000'000), {}}}, "rows of the stress-strain curve",
             MEMBER(scene.history_rows)),
+      field("output.frames", Integer<>{{between(0, 100'000), {}}},
+            "states of all points for ParaView, evenly spaced over the strain, beside the start; 0 = none",
+            MEMBER(scene.frames)),
   };
 }
 

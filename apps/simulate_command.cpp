@@ -8,6 +8,7 @@
 #include "apps/energy_note.hpp"
 #include "apps/error_estimation.hpp"
 #include "apps/explanation.hpp"
+#include "apps/frame_folder.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/output/text.hpp"
@@ -53,14 +54,17 @@ struct Outcome {
   std::string divergence;  ///< what went wrong; empty when nothing did
 };
 
-Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard) {
+Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard,
+              const mpm::FrameSink& frames = {}) {
   ProgressLine line(console.err, scene, console.err_is_terminal && !console.quiet);
   try {
-    return {mpm::simulate(scene,
-                          [&](const mpm::Progress& progress) {
-                            line.show(progress);
-                            return !guard.interrupted();
-                          }),
+    return {mpm::simulate(
+                scene,
+                [&](const mpm::Progress& progress) {
+                  line.show(progress);
+                  return !guard.interrupted();
+                },
+                frames),
             {}};
   } catch (const mpm::Diverged& diverged) {
     return {diverged.result, diverged.what()};
@@ -260,7 +264,9 @@ Exit SimulateCommand::run(Console& console) {
     throw Rejected(failed.interrupted ? Exit::interrupted : Exit::data,
                    complaint("--tolerance", "not met, " + failed.why, "", "nothing was written"));
   }
-  const Outcome outcome = solve(job.scene, console, guard);
+  FrameFolder frames(folder.path(), job.scene);
+  const Outcome outcome =
+      solve(job.scene, console, guard, [&](const mpm::Frame& frame) { frames.add(frame); });
   if (estimate_error_) estimate = estimate_of(outcome, job, console, guard);
   note_outcome(outcome, job, console);
   const std::string toml = scene_text(job.settings, Extent::whole, folder.path());
@@ -272,6 +278,8 @@ Exit SimulateCommand::run(Console& console) {
   else
     console.say(result_text(outcome.result, job.scene));
   if (!estimate.sources.empty()) console.say(estimate_text(estimate));
+  if (frames.count() > 0)
+    console.say(fmt::format("{} frames for ParaView: {}", frames.count(), frames.series().string()));
   console.say("wrote " + folder.path().string());
   return exit_of(outcome, folder.path(), console);
 }

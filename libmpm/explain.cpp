@@ -138,12 +138,13 @@ class Catalogue {
   [[nodiscard]] double bytes() const {
     const moving::OptionalFields& optional = plan_.moving.optional;
     const double maps = plan_.features.check != Check::none ? map_bytes() : 0;
-    if (moving_) return record_layout(optional).fields * real_ + 4 + maps;
+    const double frame = scene_.frames > 0 ? sizeof(FramePoint) : 0;
+    if (moving_) return record_layout(optional).fields * real_ + 4 + maps + frame;
     double bytes = real_ * (plan_.features.one_poisson_ratio ? 1 : 2);
     if (plan_.features.check != Check::none) bytes += 4;
     if (plan_.features.check == Check::tension_and_shear) bytes += 4;
     if (plan_.features.crack_closure) bytes += 4;
-    return bytes + maps;
+    return bytes + maps + frame;
   }
 
  private:
@@ -252,6 +253,10 @@ class Catalogue {
                                  : "the ledger is closed once a row of the history, every " +
                                        std::to_string(plan_.steps_per_row) + " steps",
         0, plan_.steps_per_row == 1 ? std::nullopt : std::optional(each));
+    add("frames of the points for a viewer", scene_.frames > 0,
+        scene_.frames > 0 ? "output.frames is " + number(scene_.frames) + "; one at a time is kept"
+                          : "output.frames is 0",
+        sizeof(FramePoint), std::nullopt);
     add("extra material points", !scene_.extra_points.empty(),
         scene_.extra_points.empty() ? "the specimen has none"
                                     : "the specimen has " + std::to_string(scene_.extra_points.size()),

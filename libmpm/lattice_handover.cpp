@@ -118,12 +118,11 @@ CellDisplacement LatticeSolver<Real>::velocity(int row, int cell) const {
   return v;
 }
 
-/// Place, velocity, stress and stretch of a point at a place of a cell.
+/// Place, velocity, stress and stretch of a point at a place of a cell whose nodes have moved by u.
 template <class Real>
-StartPoint LatticeSolver<Real>::moved(int row, int cell, double xi, double eta,
-                                      const Eigen::Matrix3d& c) const {
+StartPoint LatticeSolver<Real>::moved(int row, int cell, double xi, double eta, const Eigen::Matrix3d& c,
+                                      const CellDisplacement& u) const {
   const double h = plan_.cell_size;
-  const CellDisplacement u = displacement(row, cell);
   const CellDisplacement v = velocity(row, cell);
   const CellGradient g = gradient_in_cell(u, xi, eta);
   StartPoint point;
@@ -148,7 +147,7 @@ void LatticeSolver<Real>::hand_over_pixels(MovingStart& start) const {
       if (!phase) continue;
       const int plane = from_below % k * k + col % k;
       StartPoint point = moved(from_below / k, col / k, (col % k + 0.5) / k, (from_below % k + 0.5) / k,
-                               stiffness(*phase, scene_.plane));
+                               stiffness(*phase, scene_.plane), displacement(from_below / k, col / k));
       point.id = static_cast<std::uint32_t>(row * cols + col);
       const double share = shares_.size() > 0 ? 1.0 / shares_(row, col) : 1.0;
       const double area = share * scene_.pixel_size * scene_.pixel_size;
@@ -165,7 +164,8 @@ void LatticeSolver<Real>::hand_over_extra_points(MovingStart& start) const {
   for (std::size_t row = 0; row + 1 < extra_.row_begin.size(); ++row) {
     for (std::size_t i = extra_.row_begin[row]; i < extra_.row_begin[row + 1]; ++i) {
       const CellPoint& extra = extra_.points[i];
-      StartPoint point = moved(static_cast<int>(row), extra.cell, extra.xi, extra.eta, extra.stiffness);
+      StartPoint point = moved(static_cast<int>(row), extra.cell, extra.xi, extra.eta, extra.stiffness,
+                               displacement(static_cast<int>(row), extra.cell));
       point.id = static_cast<std::uint32_t>(static_cast<std::size_t>(scene_.labels.size()) + extra.index);
       const double area = extra.share * scene_.pixel_size * scene_.pixel_size;
       point.mass = extra.state.phase->density * area;

@@ -9,6 +9,7 @@
 
 #include "libmpm/barrier.hpp"
 #include "libmpm/extra_points.hpp"
+#include "libmpm/frame.hpp"
 #include "libmpm/grid.hpp"
 #include "libmpm/lattice_points.hpp"
 #include "libmpm/ledger.hpp"
@@ -38,6 +39,9 @@ class LatticeSolver {
   [[nodiscard]] bool outgrows(const Handover& limits) const;
   /// What moving points go on from: mass, momentum and stress are kept. The failure maps are moved out.
   [[nodiscard]] MovingStart hand_over();
+
+  /// The points as they are at the time of the last ledger; all of the frame but its row of the history.
+  void fill(Frame& frame) const;
 
   /// Failure maps so far, moved out.
   void take_maps(Result& result);
@@ -116,7 +120,11 @@ class LatticeSolver {
   [[nodiscard]] bool is_intact(int row, int plane, int cell) const;
   void hand_over_pixels(MovingStart& start) const;
   void hand_over_extra_points(MovingStart& start) const;
-  [[nodiscard]] StartPoint moved(int row, int cell, double xi, double eta, const Eigen::Matrix3d& c) const;
+  [[nodiscard]] StartPoint moved(int row, int cell, double xi, double eta, const Eigen::Matrix3d& c,
+                                 const CellDisplacement& u) const;
+  void add_pixels(Frame& frame) const;
+  void add_extra_points(Frame& frame) const;
+  [[nodiscard]] FramePoint frame_point(const StartPoint& point, const PointState& state) const;
   [[nodiscard]] CellDisplacement velocity(int row, int cell) const;
 
   [[nodiscard]] CellDisplacement displacement(int row, int cell) const;

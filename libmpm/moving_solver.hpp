@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libmpm/barrier.hpp"
+#include "libmpm/frame.hpp"
 #include "libmpm/ledger.hpp"
 #include "libmpm/moving_grid.hpp"
 #include "libmpm/moving_points.hpp"
@@ -44,6 +45,9 @@ class MovingSolver {
   [[nodiscard]] double time() const { return clock_.time; }  ///< [s]
   [[nodiscard]] double dt() const { return clock_.dt; }      ///< of the last step [s]
   [[nodiscard]] bool is_done() const;
+
+  /// The points as they are after the last step; all of the frame but its row of the history.
+  void fill(Frame& frame) const;
 
   /// Failure maps so far, moved out, and where the points are.
   void take_maps(Result& result);
@@ -139,6 +143,7 @@ class MovingSolver {
   [[nodiscard]] moving::NodeVectors<Real> nodes(int tile_row, Field x, Field y) const;
   [[nodiscard]] moving::TileRow<Real> tiles(int row);
   [[nodiscard]] PointView view(const Slot& slot) const;
+  [[nodiscard]] FramePoint frame_point(const Slot& slot) const;
   [[nodiscard]] double cell_height(double displacement) const;
   [[nodiscard]] Ledger balance();
   [[nodiscard]] double energy_of(const Loose& point) const;

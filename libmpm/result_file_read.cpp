@@ -8,6 +8,7 @@
 namespace mpm {
 namespace {
 
+using namespace hdf5;
 using namespace result_file;
 
 Handle open_result(const std::string& path) {

@@ -153,6 +153,7 @@ void validate_solver(const Scene& scene) {
           "must lie in 1 ... 1024, or 0 for as many as have work and a core");
   require(scene.history_rows >= 10, "output.history_rows", std::to_string(scene.history_rows),
           "must be >= 10");
+  require(scene.frames >= 0, "output.frames", std::to_string(scene.frames), "must be >= 0");
 }
 
 }  // namespace

@@ -139,6 +139,7 @@ struct Scene {
   std::string
       instruction_set;  ///< of the sweeps: baseline, avx2, avx512; empty = the fastest that the processor has
   int history_rows = 1000;  ///< rows of the history up to stop_strain, >= 10
+  int frames = 0;           ///< of the points up to stop_strain, for who asks simulate() for them; 0 = none
 
   [[nodiscard]] double width() const { return static_cast<double>(labels.cols()) * pixel_size; }   ///< [m]
   [[nodiscard]] double height() const { return static_cast<double>(labels.rows()) * pixel_size; }  ///< [m]

@@ -107,11 +107,48 @@ std::string trouble_message(const Ledger& ledger, std::int64_t step) {
   return text;
 }
 
+/// Of the strain, or without platens of the time, at which the run ends [-].
+double share_done(const Scene& scene, const HistoryRow& row) {
+  return scene.loading.direction == Direction::none ? row.time / scene.loading.duration
+                                                    : row.strain / scene.loading.stop_strain;
+}
+
+/// When which frame is due; it costs a comparison a row where nobody asked for any.
+class Frames {
+ public:
+  Frames(const Scene& scene, const FrameSink& sink) : count_(sink ? scene.frames : 0), sink_(sink) {}
+
+  /// At the start and at every row of the history. @param done  share of the run [-].
+  template <class Solver>
+  void offer(const Solver& solver, double done, std::size_t row) {
+    if (count_ > 0 && done * count_ >= due_) take(solver, row);
+    due_ = std::max(due_, std::floor(done * count_) + 1);
+  }
+  /// At the end: the last row, unless it was a frame.
+  template <class Solver>
+  void close(const Solver& solver, std::size_t row) {
+    if (count_ > 0 && frame_.row != static_cast<std::int64_t>(row)) take(solver, row);
+  }
+
+ private:
+  template <class Solver>
+  void take(const Solver& solver, std::size_t row) {
+    solver.fill(frame_);
+    frame_.row = static_cast<std::int64_t>(row);
+    sink_(frame_);
+  }
+
+  int count_;
+  const FrameSink& sink_;
+  double due_ = 0;  ///< number of the next frame
+  Frame frame_;
+};
+
 /// A run as it goes: what was recorded so far, and what ends it.
 class Run {
  public:
-  Run(const Scene& scene, const Plan& plan, const Observer& observer)
-      : scene_(scene), plan_(plan), observer_(observer) {
+  Run(const Scene& scene, const Plan& plan, const Observer& observer, const FrameSink& frames)
+      : scene_(scene), plan_(plan), observer_(observer), frames_(scene, frames) {
     result_.points = count_points(scene);
     result_.dt = plan.dt;
     result_.threads = plan.threads;
@@ -127,6 +164,7 @@ class Run {
   /// part.   @return whether the run goes on with another solver.
   template <class Solver, class Outgrown>
   [[nodiscard]] bool drive(Solver& solver, bool moving, const Outgrown& outgrown) {
+    if (result_.history.size() == 1) frames_.offer(solver, 0, 0);
     std::int64_t steps = plan_.steps_per_row;
     while (!solver.is_done()) {
       const Ledger ledger = solver.advance(steps);
@@ -138,6 +176,7 @@ class Run {
         throw Diverged(trouble, std::move(result_));
       }
       add_row(result_, row);
+      frames_.offer(solver, share_done(scene_, row), result_.history.size() - 1);
       const bool was_over = result_.nothing_carries;
       result_.nothing_carries = nothing_carries(ledger);
       if (ends(row)) return false;
@@ -154,6 +193,15 @@ class Run {
     return false;
   }
 
+  /// A run that did not go wrong.
+  template <class Solver>
+  [[nodiscard]] Result end(Solver& solver) {
+    frames_.close(solver, result_.history.size() - 1);
+    finish(solver);
+    return std::move(result_);
+  }
+
+ private:
   template <class Solver>
   void finish(Solver& solver) {
     result_.wall_time = seconds_since(start_);
@@ -161,9 +209,6 @@ class Run {
     close_ledger(result_);
   }
 
-  [[nodiscard]] Result take_result() { return std::move(result_); }
-
- private:
   template <class Solver>
   [[nodiscard]] std::string trouble_of(const Solver& solver, bool moving, const Ledger& ledger,
                                        const HistoryRow& row) const {
@@ -190,9 +235,7 @@ class Run {
       result_.stop = StopReason::drop;
       return true;
     }
-    const double done = scene_.loading.direction == Direction::none ? row.time / scene_.loading.duration
-                                                                    : row.strain / scene_.loading.stop_strain;
-    if (observer_ && !observer_({row, std::min(1.0, done), seconds_since(start_)})) {
+    if (observer_ && !observer_({row, std::min(1.0, share_done(scene_, row)), seconds_since(start_)})) {
       result_.stop = StopReason::interrupted;
       return true;
     }
@@ -207,42 +250,39 @@ class Run {
   const Scene& scene_;
   const Plan& plan_;
   const Observer& observer_;
+  Frames frames_;
   Clock::time_point start_ = Clock::now();
   Result result_;
 };
 
 template <class Real>
-Result run(const Scene& scene, const Plan& plan, const Observer& observer) {
+Result run(const Scene& scene, const Plan& plan, const Observer& observer, const FrameSink& frames) {
   const auto never = [] { return false; };
   if (scene.kinematics != Kinematics::moving) {
     LatticeSolver<Real> solver(scene, plan);
-    Run run(scene, plan, observer);
+    Run run(scene, plan, observer, frames);
     const bool automatic = scene.kinematics == Kinematics::automatic;
-    if (!run.drive(solver, false, [&] { return automatic && solver.outgrows(scene.handover); })) {
-      run.finish(solver);
-      return run.take_result();
-    }
+    if (!run.drive(solver, false, [&] { return automatic && solver.outgrows(scene.handover); }))
+      return run.end(solver);
     MovingSolver<Real> moving(scene, plan, solver.hand_over());
     (void)run.drive(moving, true, never);
-    run.finish(moving);
-    return run.take_result();
+    return run.end(moving);
   }
   MovingSolver<Real> solver(scene, plan, start_of(scene, plan));
-  Run run(scene, plan, observer);
+  Run run(scene, plan, observer, frames);
   (void)run.drive(solver, true, never);
-  run.finish(solver);
-  return run.take_result();
+  return run.end(solver);
 }
 
 }  // namespace
 
-Result simulate(const Scene& scene, const Observer& observer) {
-  return simulate(scene, plan(scene), observer);
+Result simulate(const Scene& scene, const Observer& observer, const FrameSink& frames) {
+  return simulate(scene, plan(scene), observer, frames);
 }
 
-Result simulate(const Scene& scene, const Plan& plan, const Observer& observer) {
-  return scene.precision == Precision::single ? run<float>(scene, plan, observer)
-                                              : run<double>(scene, plan, observer);
+Result simulate(const Scene& scene, const Plan& plan, const Observer& observer, const FrameSink& frames) {
+  return scene.precision == Precision::single ? run<float>(scene, plan, observer, frames)
+                                              : run<double>(scene, plan, observer, frames);
 }
 
 }  // namespace mpm

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "libmpm/frame.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene.hpp"
 
@@ -30,10 +31,16 @@ struct Diverged : std::runtime_error {
 };
 
 /// Solve a scene.
+/// @param frames  is lent Scene::frames of them, at rows of the history evenly spaced over the strain (over
+/// the
+///                time without platens), and before them the start; after a row that ends the run early its
+///                own. They change nothing in the result. What it throws ends the run.
 /// @throws Error for a scene that is not valid, Diverged with the step, time and place, and what to try.
-[[nodiscard]] Result simulate(const Scene& scene, const Observer& observer = {});
+[[nodiscard]] Result simulate(const Scene& scene, const Observer& observer = {},
+                              const FrameSink& frames = {});
 
 /// The same by a plan that may do more than the scene needs.
-[[nodiscard]] Result simulate(const Scene& scene, const Plan& plan, const Observer& observer = {});
+[[nodiscard]] Result simulate(const Scene& scene, const Plan& plan, const Observer& observer = {},
+                              const FrameSink& frames = {});
 
 }  // namespace mpm

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "libmpm/frame.hpp"
 #include "libmpm/instruction_set.hpp"
 #include "libmpm/lattice_points.hpp"
 #include "libmpm/moving_points.hpp"
@@ -81,6 +82,22 @@ TEST(Explain, CountsTheRecordOfAMovingPoint) {
   // What the storage really holds for a point when it is full.
   const mpm::Plan plan = mpm::plan(scene);
   EXPECT_EQ(apic.bytes, mpm::record_layout(plan.moving.optional).fields * 8 + 4 + 5);
+}
+
+TEST(Explain, CountsTheFrameThatARunKeeps) {
+  for (const bool moves : {false, true}) {
+    mpm::Scene scene = samples::small_concrete(20, 20);
+    if (moves) scene = moving(scene);
+    const mpm::Explanation less = mpm::explain(scene);
+    scene.frames = 7;
+    const mpm::Explanation more = mpm::explain(scene);
+    const char* name = "frames of the points for a viewer";
+    EXPECT_FALSE(feature(less, name).in);
+    EXPECT_TRUE(feature(more, name).in);
+    EXPECT_EQ(feature(more, name).why, "output.frames is 7; one at a time is kept");
+    EXPECT_EQ(more.bytes - less.bytes, sizeof(mpm::FramePoint));
+    EXPECT_EQ(feature(less, name).bytes, sizeof(mpm::FramePoint));
+  }
 }
 
 TEST(Explain, SaysWhatIsInFirstAndGivesAReasonForEach) {

@@ -55,6 +55,7 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
   EXPECT_EQ(message_after([](Scene& s) { s.local_damping = 1; }),
             "solver.local_damping: 1; must lie in [0, 1)");
   EXPECT_EQ(message_after([](Scene& s) { s.history_rows = 9; }), "output.history_rows: 9; must be >= 10");
+  EXPECT_EQ(message_after([](Scene& s) { s.frames = -1; }), "output.frames: -1; must be >= 0");
   EXPECT_EQ(message_after([](Scene& s) { s.phases[samples::mortar]->young = 0; }),
             "phases.mortar.young: 0 Pa; must be > 0");
 }

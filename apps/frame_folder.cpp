@@ -1,0 +1,66 @@
+#include "apps/frame_folder.hpp"
+
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "libmpm/error.hpp"
+#include "libmpm/frame_file.hpp"
+#include "libmpm/replace_file.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* folder_name = "frames";
+constexpr const char* series_name = "frames.hdf.series";
+constexpr const char* xdmf_name = "frames.xdmf";
+
+void remove_file(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error)
+    throw mpm::FileError(path.string(), "of an earlier run cannot be removed: " + error.message(), "",
+                         "choose another folder");
+}
+
+/// What is not a frame stays, and with it the folder.
+void remove_frames(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return;
+  std::vector<fs::path> frames;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (output::is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
+  for (const fs::path& frame : frames) remove_file(frame);
+  fs::remove(folder, error);
+}
+
+}  // namespace
+
+FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene) : run_(std::move(run)), scene_(scene) {
+  remove_file(run_ / series_name);
+  remove_file(run_ / xdmf_name);
+  remove_frames(run_ / folder_name);
+}
+
+void FrameFolder::add(const mpm::Frame& frame) {
+  const fs::path folder = run_ / folder_name;
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error)
+    throw mpm::FileError(folder.string(), "cannot be created: " + error.message(), "",
+                         "choose a folder that may be written to");
+  const std::string name = output::frame_name(count_++);
+  mpm::write_frame((folder / name).string(), frame, scene_);
+  const output::FrameEntry entry{std::string(folder_name) + "/" + name, frame.time,
+                                 static_cast<std::int64_t>(frame.points.size())};
+  list_.add(entry);
+  xdmf_.add(entry);
+  mpm::replace_file((run_ / series_name).string(), list_.text());
+  mpm::replace_file((run_ / xdmf_name).string(), xdmf_.text());
+}
+
+fs::path FrameFolder::series() const { return run_ / series_name; }
+
+}  // namespace app

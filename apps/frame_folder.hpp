@@ -1,0 +1,37 @@
+/// The frames of a run in its folder, written while the run goes on.
+#pragma once
+
+#include <filesystem>
+
+#include "apps/output/frame_series.hpp"
+#include "libmpm/frame.hpp"
+
+namespace app {
+
+/// In the folder of a run, for ParaView:
+///   frames/p_000000.hdf, p_000001.hdf ...   one a frame, by number (mpm::write_frame); 0 = the start
+///   frames.hdf.series                       their list: what ParaView opens
+///   frames.xdmf                             the same, for programs that read XDMF
+/// Both lists are written anew with every frame, so that they are complete however the run ends.
+class FrameFolder {
+ public:
+  /// Removes the frames and lists of an earlier run. The folder must be there; the scene must outlive this.
+  /// @throws mpm::FileError when one of them cannot be removed.
+  FrameFolder(std::filesystem::path run, const mpm::Scene& scene);
+
+  /// @throws mpm::FileError when the disk fails.
+  void add(const mpm::Frame& frame);
+
+  [[nodiscard]] std::int64_t count() const { return count_; }
+  /// The list that ParaView opens.
+  [[nodiscard]] std::filesystem::path series() const;
+
+ private:
+  std::filesystem::path run_;
+  const mpm::Scene& scene_;
+  std::int64_t count_ = 0;
+  output::FrameSeries list_;
+  output::FrameXdmf xdmf_;
+};
+
+}  // namespace app

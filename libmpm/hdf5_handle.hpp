@@ -1,0 +1,101 @@
+/// What the readers and writers of HDF5 files share. Not installed: private to hdf5_*, result_file* and
+/// frame_file*.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace mpm::hdf5 {
+
+/// What is wrong, without the path; the public functions add it.
+struct Fault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// HDF5 prints its error stack unless told otherwise; a library never prints.
+class Quiet {
+ public:
+  Quiet() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+  ~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// An HDF5 identifier that is closed with its scope.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
+    if (id_ < 0) throw Fault(what);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+inline void require(bool condition, const std::string& what) {
+  if (!condition) throw Fault(what);
+}
+
+/// How a C++ number lies in memory and in the file.
+template <class T>
+struct Number;
+template <>
+struct Number<double> {
+  static hid_t memory() { return H5T_NATIVE_DOUBLE; }
+  static hid_t file() { return H5T_IEEE_F64LE; }
+  static constexpr H5T_class_t kind = H5T_FLOAT;
+};
+template <>
+struct Number<float> {
+  static hid_t memory() { return H5T_NATIVE_FLOAT; }
+  static hid_t file() { return H5T_IEEE_F32LE; }
+  static constexpr H5T_class_t kind = H5T_FLOAT;
+};
+template <>
+struct Number<std::int64_t> {
+  static hid_t memory() { return H5T_NATIVE_INT64; }
+  static hid_t file() { return H5T_STD_I64LE; }
+  static constexpr H5T_class_t kind = H5T_INTEGER;
+};
+template <>
+struct Number<std::int32_t> {
+  static hid_t memory() { return H5T_NATIVE_INT32; }
+  static hid_t file() { return H5T_STD_I32LE; }
+  static constexpr H5T_class_t kind = H5T_INTEGER;
+};
+template <>
+struct Number<std::uint8_t> {
+  static hid_t memory() { return H5T_NATIVE_UINT8; }
+  static hid_t file() { return H5T_STD_U8LE; }
+  static constexpr H5T_class_t kind = H5T_INTEGER;
+};
+
+/// Text of any length, UTF-8, which h5py reads as str.
+inline Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "out of memory");
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+}  // namespace mpm::hdf5

@@ -1,0 +1,95 @@
+#include "apps/frame_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "libmpm/error.hpp"
+#include "tests/specimen/temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class FrameFolder : public testing::Test {
+ protected:
+  FrameFolder() {
+    scene_.labels.setConstant(2, 2, 0);
+    scene_.pixel_size = 1e-3;
+    scene_.phases.emplace_back(mpm::concrete_phases().front());
+  }
+
+  static mpm::Frame frame_at(double time, std::size_t points) {
+    mpm::Frame frame;
+    frame.time = time;
+    frame.points.resize(points);
+    return frame;
+  }
+  /// Adds frames of 4, 3, 2 ... points to an earlier run's folder.
+  void write(int frames) {
+    app::FrameFolder folder(run_, scene_);
+    for (int i = 0; i < frames; ++i) folder.add(frame_at(1e-6 * i, static_cast<std::size_t>(4 - i)));
+    EXPECT_EQ(folder.count(), frames);
+    EXPECT_EQ(folder.series(), run_ / "frames.hdf.series");
+  }
+  std::set<std::string> names() const {
+    std::set<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(run_))
+      found.insert(fs::relative(entry.path(), run_).string());
+    return found;
+  }
+
+  mpm::Scene scene_;
+  test::TemporaryFolder folder_;
+  fs::path run_ = folder_ / "";
+};
+
+TEST_F(FrameFolder, IsCompleteAfterEveryFrame) {
+  app::FrameFolder folder(run_, scene_);
+  EXPECT_TRUE(names().empty()) << "without a frame there is nothing";
+  for (std::size_t i = 0; i < 3; ++i) {
+    folder.add(frame_at(1e-6 * static_cast<double>(i), 4 - i));
+    const auto list = nlohmann::json::parse(test::read_text((run_ / "frames.hdf.series").string()))["files"];
+    ASSERT_EQ(list.size(), i + 1);
+    for (const auto& file : list) EXPECT_TRUE(fs::exists(run_ / file["name"].get<std::string>()));
+    const std::string xdmf = test::read_text((run_ / "frames.xdmf").string());
+    EXPECT_THAT(xdmf, testing::HasSubstr(list.back()["name"].get<std::string>() + ":/VTKHDF/Points"));
+    EXPECT_THAT(xdmf, testing::HasSubstr("NumberOfElements=\"" + std::to_string(4 - i) + "\""));
+  }
+}
+
+TEST_F(FrameFolder, LeavesNoFrameOfAnEarlierRunBehind) {
+  write(3);
+  fs::create_directory(run_ / "frames" / "mine");
+  test::write_text((run_ / "frames" / "p_notes.txt").string(), "mine");
+  write(1);
+  EXPECT_EQ(names(), (std::set<std::string>{"frames", "frames/mine", "frames/p_notes.txt",
+                                            "frames/p_000000.hdf", "frames.hdf.series", "frames.xdmf"}));
+}
+
+TEST_F(FrameFolder, IsGoneWhenTheNextRunHasNoFrames) {
+  write(3);
+  write(0);
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(FrameFolder, NamesWhatCannotBeMadeOrRemoved) {
+  const auto message = [&](const fs::path& path, const auto& act) {
+    try {
+      act();
+      ADD_FAILURE() << path << " was taken";
+    } catch (const mpm::FileError& error) {
+      EXPECT_EQ(error.field, path.string());
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  test::write_text((run_ / "frames").string(), "a file");
+  EXPECT_THAT(message(run_ / "frames", [&] { write(1); }), testing::HasSubstr("cannot be created"));
+  fs::create_directories(run_ / "frames.xdmf" / "full");
+  EXPECT_THAT(message(run_ / "frames.xdmf", [&] { write(1); }), testing::HasSubstr("cannot be removed"));
+}
+
+}  // namespace
