@@ -91,6 +91,8 @@ class LiveChart {
     const { ctx } = plot;
     ctx.save();
     ctx.fillStyle = ink("text");
+    ctx.textAlign = "left";
+    ctx.textBaseline = "alphabetic";
     ctx.font = `${13 * devicePixelRatio}px system-ui, sans-serif`;
     for (const marker of this.chart.markers) {
       const [x, y] = [plot.valToPos(marker.x, "x", true), plot.valToPos(marker.y, "y", true)];
