@@ -60,10 +60,12 @@ std::vector<SceneDifference> scene_differences(const std::vector<std::string>& s
       one.values[i] = value;
     }
   std::vector<SceneDifference> differences;
-  for (const auto& [key, one] : all)
+  for (const auto& entry : all) {
+    const SceneDifference& one = entry.second;
     if (std::any_of(one.values.begin(), one.values.end(),
                     [&](const std::string& value) { return value != one.values.front(); }))
       differences.push_back(one);
+  }
   return differences;
 }
 
