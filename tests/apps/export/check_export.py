@@ -254,7 +254,7 @@ def check_imagej(jar):
 
 def check_memory():
     """Files much larger than what the program holds."""
-    edge = 1000
+    edge = 1300
     pathlib.Path("labels.pgm").write_bytes(f"P5\n{edge} {edge}\n255\n".encode() + b"\2\2\1\2" * (edge * edge // 4))
     run(mesopix, "convert", "labels.pgm", "--pixel-size", f"{PIXEL} mm", "--itz-mode", "none", "-o", "specimen.h5")
     for form in ("inp", "msh"):
@@ -263,7 +263,7 @@ def check_memory():
             process.returncode = status
         assert status == 0
         size = os.path.getsize(f"specimen.{form}")
-        assert size > 50e6, size
+        assert size > 90e6, size
         assert usage.ru_maxrss * 1024 < 0.8 * size, f"{usage.ru_maxrss} kB for a file of {size} bytes"
 
 
