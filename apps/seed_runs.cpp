@@ -52,7 +52,7 @@ SeedRun run_seed(const mpm::Scene& wanted, std::uint64_t seed, RunEnd end,
     if (stopped()) return false;
     return end == RunEnd::of_scene || !is_past_peak(row, peak_strain, wanted.loading.stop_strain);
   };
-  return outcome(seed, mpm::simulate(scene, goes_on));
+  return outcome(seed, mpm::simulate(scene, {.observer = goes_on}));
 }
 
 }  // namespace

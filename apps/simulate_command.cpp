@@ -58,14 +58,13 @@ Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& g
               const mpm::FrameSink& frames = {}) {
   ProgressLine line(console.err, scene, console.err_is_terminal && !console.quiet);
   try {
-    return {mpm::simulate(
-                scene,
-                [&](const mpm::Progress& progress) {
-                  line.show(progress);
-                  return !guard.interrupted();
-                },
-                frames),
-            {}};
+    const mpm::RunHooks hooks{.observer =
+                                  [&](const mpm::Progress& progress) {
+                                    line.show(progress);
+                                    return !guard.interrupted();
+                                  },
+                              .frames = frames};
+    return {mpm::simulate(scene, hooks), {}};
   } catch (const mpm::Diverged& diverged) {
     return {diverged.result, diverged.what()};
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/archive.hpp"
 #include "libmpm/barrier.hpp"
 #include "libmpm/extra_points.hpp"
 #include "libmpm/frame.hpp"
@@ -45,6 +46,12 @@ class LatticeSolver {
 
   /// Failure maps so far, moved out.
   void take_maps(Result& result);
+
+  /// All that the next steps depend on, whatever the number of threads; for a solver that has taken a step.
+  void save(ArchiveWriter& archive) const;
+  /// The same into a solver that has taken none, of the same scene but for its threads. A state that cannot
+  /// be is noted in the archive; the solver is then of no use.
+  void restore(ArchiveReader& archive);
 
   [[nodiscard]] double dt() const { return plan_.dt; }  ///< [s]
   /// The point where numbers ceased to be numbers, else the one with the most elastic energy, by name.
@@ -141,6 +148,9 @@ class LatticeSolver {
   void sweep_extra_points(Band& band, int row, const kernels::NodeForces<Real>& lower,
                           const kernels::NodeForces<Real>& upper, double strain);
   void fail_extra_point(Band& band, int row, CellPoint& point, const Stress<double>& elastic, double strain);
+
+  template <class Archive, class Self>
+  static void pass(Archive& archive, Self& self);
 
   const Scene& scene_;
   const Plan& plan_;

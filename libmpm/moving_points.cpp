@@ -52,11 +52,19 @@ std::uint32_t MovingPoints<Real>::id(const Slot& slot) const {
 }
 
 template <class Real>
+std::uint32_t& MovingPoints<Real>::id_at(const Slot& slot) {
+  Row& row = rows_[static_cast<std::size_t>(slot.row)];
+  const int record = row.begin[static_cast<std::size_t>(slot.block)] + slot.slot;
+  return row.ids[static_cast<std::size_t>(record * lanes_ + slot.lane)];
+}
+
+template <class Real>
 void MovingPoints<Real>::clear_lane(const Slot& slot) {
   for (int field = 0; field < layout_.fields; ++field) value(slot, field) = 0;
   value(slot, moving::xi) = value(slot, moving::eta) = Real(0.5);
   for (const int threshold : {layout_.tension, layout_.crush})
     if (threshold >= 0) value(slot, threshold) = static_cast<Real>(kernels::unreachable);
+  id_at(slot) = 0;
 }
 
 /// Every block gets room for one record more than it has, and every third of what it has.
@@ -101,10 +109,8 @@ void MovingPoints<Real>::insert(const Loose& point) {
   if (slot.slot == used(slot.row, slot.block)) add_record(slot.row, slot.block);
   for (int field = 0; field < layout_.fields; ++field)
     value(slot, field) = point.values[static_cast<std::size_t>(field)];
-  Row& row = rows_[static_cast<std::size_t>(slot.row)];
-  row.ids[static_cast<std::size_t>((row.begin[static_cast<std::size_t>(slot.block)] + slot.slot) * lanes_ +
-                                   slot.lane)] = point.id;
-  ++row.points;
+  id_at(slot) = point.id;
+  ++rows_[static_cast<std::size_t>(slot.row)].points;
 }
 
 template <class Real>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libmpm/aligned.hpp"
+#include "libmpm/archive.hpp"
 #include "libmpm/moving_kernels.hpp"
 
 namespace mpm {
@@ -62,6 +63,12 @@ class MovingPoints {
   /// As the sweeps want it. `bottom`: lower edge of the row over the height of a cell.
   [[nodiscard]] moving::TileRow<Real> tile_row(int row, Real bottom);
 
+  void save(ArchiveWriter& archive) const;
+  /// Into a storage of the same rows, columns, lanes and layout that holds no points yet; `count_points` is
+  /// to follow.
+  void restore(ArchiveReader& archive);
+  void count_points();
+
   /// Calls visit(Slot) for every point of a row, in the order of the storage.
   template <class Visit>
   void for_each(int row, Visit&& visit) const {
@@ -84,9 +91,11 @@ class MovingPoints {
 
   [[nodiscard]] const Row& at(int row) const { return rows_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] std::size_t place(const Slot& slot, int field) const;
+  [[nodiscard]] std::uint32_t& id_at(const Slot& slot);
   void clear_lane(const Slot& slot);
   void add_record(int row, int block);
   void grow(Row& row);
+  void restore_row(Row& row, ArchiveReader& archive);
 
   int blocks_ = 0;
   int lanes_ = 0;

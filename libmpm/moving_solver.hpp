@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/archive.hpp"
 #include "libmpm/barrier.hpp"
 #include "libmpm/frame.hpp"
 #include "libmpm/ledger.hpp"
@@ -51,6 +52,12 @@ class MovingSolver {
 
   /// Failure maps so far, moved out, and where the points are.
   void take_maps(Result& result);
+
+  /// All that the next steps depend on, whatever the number of threads; for a solver that has taken a step.
+  void save(ArchiveWriter& archive) const;
+  /// The same into a solver that starts without points, of the same scene but for its threads, and of the
+  /// same instruction set. A state that cannot be is noted in the archive; the solver is then of no use.
+  void restore(ArchiveReader& archive);
 
   /// The point with the most kinetic and elastic energy for its mass, by name.
   [[nodiscard]] std::string worst_point() const;
@@ -151,6 +158,8 @@ class MovingSolver {
   [[nodiscard]] bool stays_at_support(Loose& point) const;
   void leave(const Loose& point);
   void stop(std::string what);
+  template <class Archive, class Self>
+  static void pass(Archive& archive, Self& self);
 
   const Scene& scene_;
   const Plan& plan_;

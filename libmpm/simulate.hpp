@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "libmpm/checkpoint.hpp"
 #include "libmpm/frame.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene.hpp"
@@ -17,11 +18,21 @@ struct Plan;
 struct Progress {
   const HistoryRow& row;
   double fraction = 0;   ///< of stop_strain that is done [-]
-  double wall_time = 0;  ///< since the loop began [s]
+  double wall_time = 0;  ///< since the loop began, in all parts of the run [s]
 };
 
 /// Returns false to end the run (StopReason::interrupted).
 using Observer = std::function<bool(const Progress&)>;
+
+/// Who looks on, each where they are wanted. They change nothing in the result, and what they throw ends the
+/// run.
+struct RunHooks {
+  Observer observer = {};
+  /// Is lent Scene::frames of them, at rows of the history evenly spaced over the strain (over the time
+  /// without platens), and before them the start; after a row that ends the run early its own.
+  FrameSink frames = {};
+  CheckpointWish checkpoints = {};
+};
 
 /// Physics gone wrong: not a number, or an unstable step. The result up to there is kept.
 struct Diverged : std::runtime_error {
@@ -31,16 +42,17 @@ struct Diverged : std::runtime_error {
 };
 
 /// Solve a scene.
-/// @param frames  is lent Scene::frames of them, at rows of the history evenly spaced over the strain (over
-/// the
-///                time without platens), and before them the start; after a row that ends the run early its
-///                own. They change nothing in the result. What it throws ends the run.
 /// @throws Error for a scene that is not valid, Diverged with the step, time and place, and what to try.
-[[nodiscard]] Result simulate(const Scene& scene, const Observer& observer = {},
-                              const FrameSink& frames = {});
+[[nodiscard]] Result simulate(const Scene& scene, const RunHooks& hooks = {});
 
 /// The same by a plan that may do more than the scene needs.
-[[nodiscard]] Result simulate(const Scene& scene, const Plan& plan, const Observer& observer = {},
-                              const FrameSink& frames = {});
+[[nodiscard]] Result simulate(const Scene& scene, const Plan& plan, const RunHooks& hooks = {});
+
+/// Go on from a checkpoint: the result has the same bits as if the run had never stopped, its wall time
+/// apart. Frames are lent from the one on that comes after Checkpoint::frames.
+/// @param scene  that of the checkpoint, but for its threads.
+/// @throws FileError where the checkpoint is of another specimen, precision or kinematics, of an instruction
+///         set that the processor lacks, or holds what cannot be; and what simulate() throws.
+[[nodiscard]] Result resume(const Scene& scene, const Checkpoint& checkpoint, const RunHooks& hooks = {});
 
 }  // namespace mpm

@@ -67,7 +67,7 @@ Outcome run_trial(const Trial& trial, const std::function<bool()>& go_on) {
   mpm::Scene scene = build_scene(outcome.specimen, settings);
   scene.threads = 1;  // other trials have the other cores
   try {
-    outcome.result = mpm::simulate(scene, [&](const mpm::Progress&) { return go_on(); });
+    outcome.result = mpm::simulate(scene, {.observer = [&](const mpm::Progress&) { return go_on(); }});
   } catch (const mpm::Diverged& diverged) {
     throw Rejected(Exit::data, complaint("reproduce", diverged.what(), "in " + command_of(trial)));
   }

@@ -24,8 +24,8 @@ int main(int argc, char** argv) {
   plan.steps_per_row = it.feature == "energies at every step" && std::string(argv[2]) == "with" ? 1 : 10;
   const std::int64_t steps = std::stoll(argv[3]);
   std::int64_t rows = 0;
-  const mpm::Result result =
-      mpm::simulate(scene, plan, [&](const mpm::Progress&) { return ++rows * plan.steps_per_row < steps; });
+  const mpm::Result result = mpm::simulate(
+      scene, plan, {.observer = [&](const mpm::Progress&) { return ++rows * plan.steps_per_row < steps; }});
   std::cout << result.points << ' ' << result.steps << ' ' << result.tension_failures << '\n';
   return 0;
 }

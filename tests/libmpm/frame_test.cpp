@@ -26,7 +26,8 @@ struct Seen {
 
 Seen look_at(const Scene& scene, const mpm::Observer& observer = {}) {
   Seen seen;
-  seen.result = mpm::simulate(scene, observer, [&](const Frame& frame) { seen.frames.push_back(frame); });
+  seen.result = mpm::simulate(
+      scene, {.observer = observer, .frames = [&](const Frame& frame) { seen.frames.push_back(frame); }});
   return seen;
 }
 
@@ -297,7 +298,7 @@ TEST(Frame, IsNeverOneOfARunGoneWrong) {
   scene.frames = 1;
   std::vector<Frame> frames;
   try {
-    (void)mpm::simulate(scene, {}, [&](const Frame& frame) { frames.push_back(frame); });
+    (void)mpm::simulate(scene, {.frames = [&](const Frame& frame) { frames.push_back(frame); }});
     FAIL() << "a diverging run must not end as if it were good";
   } catch (const mpm::Diverged& diverged) {
     EXPECT_GT(diverged.result.history.size(), 2U);
@@ -307,8 +308,8 @@ TEST(Frame, IsNeverOneOfARunGoneWrong) {
 }
 
 TEST(Frame, EndsARunWhoseSinkThrows) {
-  EXPECT_THROW((void)mpm::simulate(stretched_block(Kinematics::small_strain), {},
-                                   [](const Frame&) { throw std::runtime_error("disk"); }),
+  EXPECT_THROW((void)mpm::simulate(stretched_block(Kinematics::small_strain),
+                                   {.frames = [](const Frame&) { throw std::runtime_error("disk"); }}),
                std::runtime_error);
 }
 

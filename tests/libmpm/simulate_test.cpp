@@ -355,11 +355,11 @@ TEST(Stop, NotAtADropWhileThePlatenStillGainsSpeed) {
 
 TEST(Stop, WhenTheObserverAsks) {
   int rows = 0;
-  const Result result =
-      mpm::simulate(samples::pulled(samples::small_concrete(20, 20)), [&](const mpm::Progress& progress) {
-        EXPECT_NEAR(progress.fraction, progress.row.strain / 3e-4, 1e-12);
-        return ++rows < 7;
-      });
+  const Result result = mpm::simulate(samples::pulled(samples::small_concrete(20, 20)),
+                                      {.observer = [&](const mpm::Progress& progress) {
+                                        EXPECT_NEAR(progress.fraction, progress.row.strain / 3e-4, 1e-12);
+                                        return ++rows < 7;
+                                      }});
   EXPECT_EQ(result.stop, mpm::StopReason::interrupted);
   EXPECT_EQ(result.history.size(), 8U);
 }
