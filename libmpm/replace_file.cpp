@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -22,6 +23,15 @@ namespace {
 std::string temporary_name(const std::string& path) {
   static std::atomic<unsigned> count{0};
   return path + "." + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp";
+}
+
+/// So that the new name outlasts the power too. Not every file system can, and the file itself is there.
+void flush_folder(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  (void)::fsync(descriptor);
+  ::close(descriptor);
 }
 
 /// A file that is removed again unless it was renamed.
@@ -72,11 +82,14 @@ class TemporaryFile {
 
 }  // namespace
 
-void replace_file(const std::string& path, std::string_view bytes) {
+void replace_file(const std::string& path, std::string_view bytes) { replace_file(path, {bytes}); }
+
+void replace_file(const std::string& path, std::initializer_list<std::string_view> pieces) {
   TemporaryFile file(path);
-  file.write(bytes);
+  for (const std::string_view piece : pieces) file.write(piece);
   file.close();
   file.rename();
+  flush_folder(path);
 }
 
 }  // namespace mpm

@@ -42,6 +42,13 @@ TEST_F(ReplaceFile, HoldsTheBytesAndLeavesNoTemporaryFile) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(ReplaceFile, PutsPiecesOneBehindTheOther) {
+  const std::string first("a\0", 2);
+  mpm::replace_file(folder_ / "x", {first, "", "bc"});
+  EXPECT_EQ(content(folder_ / "x"), first + "bc");
+  EXPECT_EQ(files(), 1);
+}
+
 TEST_F(ReplaceFile, TakesThePlaceOfALongerOne) {
   mpm::replace_file(folder_ / "x", "a longer text");
   mpm::replace_file(folder_ / "x", "short");
