@@ -11,6 +11,7 @@
 #include "apps/export/roi.hpp"
 #include "apps/export/vtk_image.hpp"
 #include "apps/export/zip.hpp"
+#include "apps/shell_word.hpp"
 #include "apps/suggestion.hpp"
 #include "specimen/picture.hpp"
 #include "specimen/replace_file.hpp"
@@ -49,15 +50,6 @@ std::string legend(const specimen::LabelledMask& mask) {
 std::string write_vti(const SpecimenExport& wanted) {
   exchange::write_vtk_image(wanted.path, wanted.specimen.mask);
   return "cell data phase: " + legend(wanted.specimen.mask);
-}
-
-/// An argument as a shell takes it, in quotes where it needs them.
-std::string shell_word(const std::string& text) {
-  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 std::string way_back(const SpecimenExport& wanted) {

@@ -1,5 +1,6 @@
 #include "apps/frame_folder.hpp"
 
+#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -25,23 +26,38 @@ void remove_file(const fs::path& path) {
                          "choose another folder");
 }
 
-/// What is not a frame stays, and with it the folder.
-void remove_frames(const fs::path& folder) {
+/// What is not a frame stays, and with it the folder.   @param kept  names of frames that stay.
+void remove_frames(const fs::path& folder, const std::set<std::string>& kept) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) return;
   std::vector<fs::path> frames;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (output::is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (output::is_frame_name(name) && !kept.contains(name)) frames.push_back(entry.path());
+  }
   for (const fs::path& frame : frames) remove_file(frame);
-  fs::remove(folder, error);
+  fs::remove(folder, error);  // fails, as it should, while something is in it
 }
 
 }  // namespace
 
-FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene) : run_(std::move(run)), scene_(scene) {
-  remove_file(run_ / series_name);
-  remove_file(run_ / xdmf_name);
-  remove_frames(run_ / folder_name);
+FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vector<mpm::FrameTaken>& taken)
+    : run_(std::move(run)), scene_(scene) {
+  std::set<std::string> kept;
+  for (const mpm::FrameTaken& frame : taken) {
+    const std::string name = add_to_lists(frame.time, frame.points);
+    if (const fs::path path = run_ / folder_name / name; !fs::exists(path))
+      throw mpm::FileError(path.string(), "of the run that is to go on is missing", "",
+                           "bring it back, or begin the run anew");
+    kept.insert(name);
+  }
+  remove_frames(run_ / folder_name, kept);
+  if (!taken.empty()) {
+    write_lists();
+  } else {
+    remove_file(run_ / series_name);
+    remove_file(run_ / xdmf_name);
+  }
 }
 
 void FrameFolder::add(const mpm::Frame& frame) {
@@ -51,12 +67,21 @@ void FrameFolder::add(const mpm::Frame& frame) {
   if (error)
     throw mpm::FileError(folder.string(), "cannot be created: " + error.message(), "",
                          "choose a folder that may be written to");
+  mpm::write_frame((folder / output::frame_name(count_)).string(), frame, scene_);
+  (void)add_to_lists(frame.time, static_cast<std::int64_t>(frame.points.size()));
+  write_lists();
+}
+
+/// @return the name of the frame.
+std::string FrameFolder::add_to_lists(double time, std::int64_t points) {
   const std::string name = output::frame_name(count_++);
-  mpm::write_frame((folder / name).string(), frame, scene_);
-  const output::FrameEntry entry{std::string(folder_name) + "/" + name, frame.time,
-                                 static_cast<std::int64_t>(frame.points.size())};
+  const output::FrameEntry entry{std::string(folder_name) + "/" + name, time, points};
   list_.add(entry);
   xdmf_.add(entry);
+  return name;
+}
+
+void FrameFolder::write_lists() const {
   mpm::replace_file((run_ / series_name).string(), list_.text());
   mpm::replace_file((run_ / xdmf_name).string(), xdmf_.text());
 }

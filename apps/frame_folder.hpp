@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "apps/output/frame_series.hpp"
+#include "libmpm/checkpoint.hpp"
 #include "libmpm/frame.hpp"
 
 namespace app {
@@ -16,8 +19,10 @@ namespace app {
 class FrameFolder {
  public:
   /// Removes the frames and lists of an earlier run. The folder must be there; the scene must outlive this.
-  /// @throws mpm::FileError when one of them cannot be removed.
-  FrameFolder(std::filesystem::path run, const mpm::Scene& scene);
+  /// @param taken  frames of an earlier part of this run, which stay, and after which it goes on.
+  /// @throws mpm::FileError when a frame cannot be removed, or one that was taken is not there any more.
+  FrameFolder(std::filesystem::path run, const mpm::Scene& scene,
+              const std::vector<mpm::FrameTaken>& taken = {});
 
   /// @throws mpm::FileError when the disk fails.
   void add(const mpm::Frame& frame);
@@ -27,6 +32,9 @@ class FrameFolder {
   [[nodiscard]] std::filesystem::path series() const;
 
  private:
+  [[nodiscard]] std::string add_to_lists(double time, std::int64_t points);
+  void write_lists() const;
+
   std::filesystem::path run_;
   const mpm::Scene& scene_;
   std::int64_t count_ = 0;

@@ -22,7 +22,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// A unit is `factor` times ten to the `exponent` SI units; the factor differs from 1 for degrees alone.
+/// A unit is `factor` times ten to the `exponent` SI units; the factor differs from 1 for degrees, minutes
+/// and hours alone.
 struct Unit {
   Dimension dimension;
   std::string_view name;
@@ -63,6 +64,8 @@ constexpr std::array units{
     Unit{Dimension::time, "ms", -3, true},
     Unit{Dimension::time, "us", -6, true},
     Unit{Dimension::time, "µs", -6, false},
+    Unit{Dimension::time, "min", 0, false, 60},
+    Unit{Dimension::time, "h", 0, false, 3600},
     Unit{Dimension::energy, "J/m2", 0, true},
     Unit{Dimension::energy, "J/m^2", 0, false},
     Unit{Dimension::energy, "N/m", 0, false},

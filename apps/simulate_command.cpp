@@ -5,24 +5,16 @@
 #include <filesystem>
 #include <optional>
 
-#include "apps/energy_note.hpp"
-#include "apps/error_estimation.hpp"
 #include "apps/explanation.hpp"
-#include "apps/frame_folder.hpp"
-#include "apps/interrupt.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/output/text.hpp"
-#include "apps/progress_line.hpp"
 #include "apps/read_option.hpp"
-#include "apps/run_folder.hpp"
+#include "apps/resumption.hpp"
 #include "apps/run_location.hpp"
-#include "apps/scene_builder.hpp"
 #include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
+#include "apps/solving.hpp"
 #include "apps/specimen_source.hpp"
-#include "apps/strain_text.hpp"
-#include "libmpm/simulate.hpp"
-#include "specimen/digest.hpp"
 
 namespace app {
 namespace {
@@ -33,6 +25,8 @@ constexpr const char* footer =
     "Example: tension until the stress has dropped to 20 % of its peak\n"
     "  mesopix simulate specimen.h5 --velocity \"0.02 m/s\" --stop-drop 0.2 --mortar.tensile-scale \"12 "
     "MPa\" -o run\n"
+    "Ctrl-C, or SIGTERM, ends it with exit code 75; it goes on, on as many threads as you like, with\n"
+    "  mesopix simulate --resume run\n"
     "The settings of the specimen are options too, by their keys: --generate.fraction 0.4, --convert.width "
     "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
     "a scene.";
@@ -46,82 +40,6 @@ Resolved resolve_input(const std::string& input, std::vector<Assignment> given) 
   const char* key = kind == InputKind::hdf5 ? "specimen.file" : "specimen.picture";
   given.insert(given.begin(), given_as_option(key, Kind::path, "INPUT", input));
   return resolve({}, given);
-}
-
-/// What a run ended with, kept whether it came to its end or not.
-struct Outcome {
-  mpm::Result result;
-  std::string divergence;  ///< what went wrong; empty when nothing did
-};
-
-Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard,
-              const mpm::FrameSink& frames = {}) {
-  ProgressLine line(console.err, scene, console.err_is_terminal && !console.quiet);
-  try {
-    const mpm::RunHooks hooks{.observer =
-                                  [&](const mpm::Progress& progress) {
-                                    line.show(progress);
-                                    return !guard.interrupted();
-                                  },
-                              .frames = frames};
-    return {mpm::simulate(scene, hooks), {}};
-  } catch (const mpm::Diverged& diverged) {
-    return {diverged.result, diverged.what()};
-  }
-}
-
-/// A second run that was interrupted, or went wrong.
-struct NoEstimate {
-  bool interrupted = false;
-  std::string why;
-};
-
-/// Nothing is kept of second runs but what they end with.
-Solve second_run(Console& console, const InterruptGuard& guard) {
-  return [&](const mpm::Scene& scene) {
-    Outcome outcome = solve(scene, console, guard);
-    if (!outcome.divergence.empty()) throw NoEstimate{false, outcome.divergence};
-    if (outcome.result.stop == mpm::StopReason::interrupted) throw NoEstimate{true, "it was interrupted"};
-    return std::move(outcome.result);
-  };
-}
-
-std::string percent_text(double error) { return output::rounded(100 * error, 2) + " %"; }
-
-std::string estimate_text(const output::ErrorEstimate& estimate) {
-  std::string parts;
-  for (const output::ErrorSource& source : estimate.sources)
-    parts += (parts.empty() ? "" : ", ") + source.name + " " + percent_text(source.stress_error);
-  return fmt::format(
-      "the peak stress may be wrong by {} and its strain by {} ({}), estimated in {:.2f} s more",
-      percent_text(estimate.stress_error()), percent_text(estimate.strain_error()), parts,
-      estimate.wall_time());
-}
-
-std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {
-  const bool platens = output::has_platens(scene);
-  return fmt::format("peak {}{:.4g} MPa at {} {}, {} tension and {} shear failures, {} steps in {:.2f} s",
-                     platens ? "" : output::name_of_stress(scene) + " ", 1e-6 * result.peak_stress,
-                     platens ? "strain" : output::name_of_strain(scene), strain_text(result.peak_strain),
-                     result.tension_failures, result.shear_failures, result.steps, result.wall_time);
-}
-
-/// What is solved, and what was noted on the way there.
-struct Job {
-  Settings settings;
-  specimen::Specimen specimen;
-  mpm::Scene scene;
-  std::vector<std::string> notes;
-};
-
-Job prepare_job(Settings settings, Console& console) {
-  Prepared prepared = prepare_specimen(settings);
-  for (std::string& note : crop_to_cells(prepared.specimen, settings.scene.points_per_cell))
-    prepared.notes.push_back(std::move(note));
-  for (const std::string& note : prepared.notes) console.say("note: " + note);
-  mpm::Scene scene = build_scene(prepared.specimen, settings);
-  mpm::validate(scene);
-  return {std::move(settings), std::move(prepared.specimen), std::move(scene), std::move(prepared.notes)};
 }
 
 /// Gives the scene the rate, step and precision that the tolerance asks for.   @return their error.
@@ -142,47 +60,6 @@ output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const I
         "the tolerance of " + output::trimmed(100 * tolerance) +
         " % was not met: where points fail, another order of failures changes the peak as much");
   return found.estimate;
-}
-
-/// Of a run that came to its end; without sources where a second run did not, which is noted.
-output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, Console& console,
-                                  const InterruptGuard& guard) {
-  if (!outcome.divergence.empty() || outcome.result.stop == mpm::StopReason::interrupted) return {};
-  try {
-    return estimate_error(job.scene, outcome.result, second_run(console, guard));
-  } catch (const NoEstimate& failed) {
-    job.notes.push_back("there is no estimate of the error: " + failed.why);
-    console.say("note: " + job.notes.back());
-    return {};
-  }
-}
-
-/// What the run itself leaves to be noted.
-void note_outcome(const Outcome& outcome, Job& job, Console& console) {
-  if (!outcome.divergence.empty()) {
-    job.notes.push_back(outcome.divergence);
-    return;
-  }
-  if (outcome.result.nothing_carries) {
-    job.notes.push_back("nothing carries load any more: every point has failed; the run ended at strain " +
-                        strain_text(outcome.result.history.back().strain));
-    console.say("note: " + job.notes.back());
-  }
-  if (const std::string note = energy_note(outcome.result, job.scene); !note.empty()) {
-    job.notes.push_back(note);
-    const bool expected = job.scene.kinematics != mpm::Kinematics::small_strain;
-    console.say((expected ? "note: " : "warning: ") + note);
-  }
-}
-
-/// @throws Rejected when the physics went wrong.
-Exit exit_of(const Outcome& outcome, const fs::path& folder, Console& console) {
-  if (!outcome.divergence.empty())
-    throw Rejected(Exit::data,
-                   complaint("simulate", outcome.divergence, "what was computed is in " + folder.string()));
-  if (outcome.result.stop != mpm::StopReason::interrupted) return Exit::ok;
-  console.say("interrupted; what was computed is kept");
-  return Exit::interrupted;
 }
 
 }  // namespace
@@ -207,6 +84,15 @@ SimulateCommand::SimulateCommand(CLI::App& program)
           "choose the rate, the step and the precision that keep the error of the peak stress below this, "
           "e.g. \"1 %\"")
       ->type_name("RATIO");
+  options()
+      .add_option("--checkpoint-every", checkpoint_every_,
+                  "wall time after which a run is kept to go on from, e.g. \"60 s\"; no part of the scene")
+      ->type_name("TIME");
+  options()
+      .add_option(
+          "--resume", resume_,
+          "go on with the run in a folder, from its last checkpoint; the result is the same to the last bit")
+      ->type_name("DIR");
   options().add_flag("--json", json_, "summary as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
@@ -216,26 +102,51 @@ std::vector<std::string> SimulateCommand::prepare(const std::vector<std::string>
 }
 
 void SimulateCommand::check_options() const {
+  const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
+  const auto refuse = [](const char* option, const char* other) {
+    throw Rejected(Exit::usage,
+                   complaint(option, std::string("given with ") + other, "", "give one of the two"));
+  };
+  if (!resume_.empty()) {
+    const char* other = !input_.empty()    ? "INPUT"
+                        : !output_.empty() ? "--output"
+                        : overwrite_       ? "--overwrite"
+                        : print_scene_     ? "--print-scene"
+                        : explain_         ? "--explain"
+                                           : error;
+    if (other != nullptr) refuse("--resume", other);
+    return;
+  }
   if (input_.empty())
     throw Rejected(Exit::usage, complaint("INPUT", "missing", "", "mesopix simulate INPUT"));
-  const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
   const char* other = explain_                                 ? "--explain"
                       : print_scene_                           ? "--print-scene"
                       : !tolerance_.empty() && estimate_error_ ? "--estimate-error"
                                                                : nullptr;
-  if (error != nullptr && other != nullptr)
-    throw Rejected(Exit::usage,
-                   complaint(error, std::string("given with ") + other, "", "give one of the two"));
+  if (error != nullptr && other != nullptr) refuse(error, other);
 }
 
 double SimulateCommand::tolerance() const {
   return read_option("--tolerance", tolerance_, Quantity{Dimension::ratio, inside(0, 1), {}});
 }
 
+/// Wall time between checkpoints [s], where it was given.
+std::optional<double> SimulateCommand::checkpoint_every() const {
+  if (checkpoint_every_.empty()) return std::nullopt;
+  return read_option("--checkpoint-every", checkpoint_every_, Quantity{Dimension::time, above(0), {}});
+}
+
 Exit SimulateCommand::run(Console& console) {
   console.quiet = quiet_;
   check_options();
+  return resume_.empty() ? begin(console) : go_on(console);
+}
+
+Exit SimulateCommand::begin(Console& console) {
   const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
+  RunRemarks remarks;
+  remarks.estimate_error = estimate_error_;
+  remarks.checkpoint_every = checkpoint_every().value_or(0);
   Resolved resolved = resolve_input(input_, settings_.assignments());
   console.origins = resolved.origins;
   Settings& settings = resolved.settings;
@@ -256,31 +167,26 @@ Exit SimulateCommand::run(Console& console) {
                                           "needs a test in tension or compression"));
   const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
   const InterruptGuard guard;
-  output::ErrorEstimate estimate;
   try {
-    if (wanted) estimate = meet(*wanted, job, console, guard);
+    if (wanted) remarks.tolerated = meet(*wanted, job, console, guard);
   } catch (const NoEstimate& failed) {
     throw Rejected(failed.interrupted ? Exit::interrupted : Exit::data,
                    complaint("--tolerance", "not met, " + failed.why, "", "nothing was written"));
   }
-  FrameFolder frames(folder.path(), job.scene);
-  const Outcome outcome =
-      solve(job.scene, console, guard, [&](const mpm::Frame& frame) { frames.add(frame); });
-  if (estimate_error_) estimate = estimate_of(outcome, job, console, guard);
-  note_outcome(outcome, job, console);
-  const std::string toml = scene_text(job.settings, Extent::whole, folder.path());
-  const RunRecord record{job.specimen,       job.scene, outcome.result, toml, specimen::sha256_of_text(toml),
-                         job.settings.title, job.notes, estimate};
-  write_run(folder.path(), record);
-  if (json_)
-    console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  else
-    console.say(result_text(outcome.result, job.scene));
-  if (!estimate.sources.empty()) console.say(estimate_text(estimate));
-  if (frames.count() > 0)
-    console.say(fmt::format("{} frames for ParaView: {}", frames.count(), frames.series().string()));
-  console.say("wrote " + folder.path().string());
-  return exit_of(outcome, folder.path(), console);
+  remarks.notes = job.notes;
+  std::string toml = scene_text(job.settings, Extent::whole, folder.path());
+  return carry_out({std::move(job), folder.path(), std::move(toml), std::move(remarks), std::nullopt, json_},
+                   guard, console);
+}
+
+Exit SimulateCommand::go_on(Console& console) {
+  const std::optional<double> every = checkpoint_every();
+  std::optional<RunTask> task = task_that_goes_on(resume_, settings_.assignments(), console);
+  if (!task) return Exit::ok;
+  task->json = json_;
+  if (every) task->remarks.checkpoint_every = *every;
+  const InterruptGuard guard;
+  return carry_out(std::move(*task), guard, console);
 }
 
 }  // namespace app

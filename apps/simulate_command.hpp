@@ -1,6 +1,9 @@
 /// mesopix simulate: break a specimen.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "apps/command.hpp"
 
 namespace app {
@@ -14,6 +17,9 @@ class SimulateCommand : public Command {
  private:
   void check_options() const;
   [[nodiscard]] double tolerance() const;
+  [[nodiscard]] std::optional<double> checkpoint_every() const;
+  [[nodiscard]] Exit begin(Console& console);
+  [[nodiscard]] Exit go_on(Console& console);
 
   SettingOptions settings_;
   std::string input_;
@@ -23,6 +29,8 @@ class SimulateCommand : public Command {
   bool explain_ = false;
   bool estimate_error_ = false;
   std::string tolerance_;
+  std::string checkpoint_every_;
+  std::string resume_;
   bool json_ = false;
   bool quiet_ = false;
 };

@@ -69,6 +69,32 @@ TEST_F(FrameFolder, LeavesNoFrameOfAnEarlierRunBehind) {
                                             "frames/p_000000.hdf", "frames.hdf.series", "frames.xdmf"}));
 }
 
+TEST_F(FrameFolder, GoesOnBehindTheFramesThatWereTaken) {
+  write(4);
+  const std::string list = test::read_text((run_ / "frames.hdf.series").string());
+  const std::string xdmf = test::read_text((run_ / "frames.xdmf").string());
+  {
+    app::FrameFolder folder(run_, scene_, {{0.0, 4}, {1e-6, 3}});
+    EXPECT_EQ(names(), (std::set<std::string>{"frames", "frames/p_000000.hdf", "frames/p_000001.hdf",
+                                              "frames.hdf.series", "frames.xdmf"}));
+    const auto kept = nlohmann::json::parse(test::read_text((run_ / "frames.hdf.series").string()));
+    EXPECT_EQ(kept["files"].size(), 2U);
+    folder.add(frame_at(2e-6, 2));
+    folder.add(frame_at(3e-6, 1));
+    EXPECT_EQ(folder.count(), 4);
+  }
+  EXPECT_EQ(test::read_text((run_ / "frames.hdf.series").string()), list);
+  EXPECT_EQ(test::read_text((run_ / "frames.xdmf").string()), xdmf);
+  fs::remove(run_ / "frames" / "p_000002.hdf");
+  try {
+    app::FrameFolder folder(run_, scene_, {{0.0, 4}, {1e-6, 3}, {2e-6, 2}});
+    ADD_FAILURE() << "a frame is lost";
+  } catch (const mpm::FileError& error) {
+    EXPECT_EQ(error.field, (run_ / "frames" / "p_000002.hdf").string());
+  }
+  EXPECT_TRUE(fs::exists(run_ / "frames" / "p_000003.hdf")) << "nothing is removed in vain";
+}
+
 TEST_F(FrameFolder, IsGoneWhenTheNextRunHasNoFrames) {
   write(3);
   write(0);

@@ -60,6 +60,8 @@ TEST(ParseQuantity, ReadsSignsPointsAndExponents) {
   EXPECT_EQ(parse_quantity("+5. mm", Dimension::length), 5e-3);
   EXPECT_EQ(parse_quantity("5E2 mm", Dimension::length), 0.5);
   EXPECT_EQ(parse_quantity("0 mm", Dimension::length), 0);
+  EXPECT_EQ(parse_quantity("1.5 min", Dimension::time), 90);
+  EXPECT_EQ(parse_quantity("2h", Dimension::time), 7200);
 }
 
 TEST(ParseQuantity, RefusesABareNumberWhereAUnitBelongs) {
@@ -71,7 +73,7 @@ TEST(ParseQuantity, RefusesUnknownUnitsWithASuggestion) {
   EXPECT_EQ(complaint_about("20 gPa", Dimension::pressure),
             "unknown unit gPa, allowed are MPa, GPa, kPa, Pa and N/mm2; did you mean GPa?");
   EXPECT_EQ(complaint_about("3 furlong", Dimension::time),
-            "unknown unit furlong, allowed are s, ms, us and µs");
+            "unknown unit furlong, allowed are s, ms, us, µs, min and h");
 }
 
 TEST(ParseQuantity, RefusesTheUnitOfSomethingElse) {

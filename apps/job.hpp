@@ -1,0 +1,25 @@
+/// What is solved, made from what the user asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/console.hpp"
+#include "apps/settings.hpp"
+#include "libmpm/scene.hpp"
+#include "specimen/specimen.hpp"
+
+namespace app {
+
+struct Job {
+  Settings settings;
+  specimen::Specimen specimen;
+  mpm::Scene scene;
+  std::vector<std::string> notes;  ///< on the way there, one sentence each
+};
+
+/// The specimen of settled settings, cropped to whole cells, and its scene; notes are said.
+/// @throws Rejected, and the errors of the libraries, for what cannot be solved.
+[[nodiscard]] Job prepare_job(Settings settings, Console& console);
+
+}  // namespace app

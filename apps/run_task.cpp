@@ -1,0 +1,169 @@
+#include "apps/run_task.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/checkpoint_folder.hpp"
+#include "apps/energy_note.hpp"
+#include "apps/frame_folder.hpp"
+#include "apps/output/load_words.hpp"
+#include "apps/output/text.hpp"
+#include "apps/run_folder.hpp"
+#include "apps/shell_word.hpp"
+#include "apps/solving.hpp"
+#include "apps/strain_text.hpp"
+#include "libmpm/error.hpp"
+#include "libmpm/replace_file.hpp"
+#include "specimen/digest.hpp"
+#include "specimen/error.hpp"
+#include "specimen/specimen_file.hpp"
+
+namespace app {
+namespace {
+
+/// The checkpoints of a run on its way. A disk that is full ends no run: the next one may find room.
+class Keeper {
+ public:
+  explicit Keeper(const RunTask& task)
+      : task_(task), folder_(task.folder), remarks_(remarks_text(task.remarks)), has_scene_(task.from) {
+    folder_.remove_behind(task.from ? task.from->step : -1);
+    if (task.remarks.checkpoint_every > 0 && !has_scene_) write_scene();
+  }
+
+  void keep(const mpm::Checkpoint& checkpoint) {
+    trouble_.clear();
+    try {
+      if (!has_scene_) write_scene();
+      folder_.write(checkpoint, task_.scene_toml, remarks_);
+    } catch (const mpm::FileError& error) {
+      trouble_ = error.what();
+    } catch (const specimen::Error& error) {
+      trouble_ = error.what();
+    }
+  }
+
+  void report(double wall_time, Console& console) const {
+    if (!trouble_.empty()) console.say("warning: the last checkpoint is missing: " + trouble_);
+    if (folder_.written() > 0 && task_.remarks.checkpoint_every > 0)
+      console.say(fmt::format("{} checkpoint{} written in {:.2f} s, {:.2f} % of the run", folder_.written(),
+                              folder_.written() == 1 ? "" : "s", folder_.wall_time(),
+                              100 * folder_.wall_time() / wall_time));
+  }
+  [[nodiscard]] bool has_kept() const { return folder_.written() > 0 || task_.from; }
+  void remove() const { folder_.remove(); }
+
+ private:
+  /// With these the folder is enough to go on from.
+  void write_scene() {
+    mpm::replace_file((task_.folder / "scene.toml").string(), task_.scene_toml);
+    specimen::write_specimen((task_.folder / "specimen.h5").string(), task_.job.specimen);
+    has_scene_ = true;
+  }
+
+  const RunTask& task_;
+  CheckpointFolder folder_;
+  std::string remarks_;
+  bool has_scene_;
+  std::string trouble_;  ///< why there is no last one
+};
+
+std::string percent_text(double error) { return output::rounded(100 * error, 2) + " %"; }
+
+std::string estimate_text(const output::ErrorEstimate& estimate) {
+  std::string parts;
+  for (const output::ErrorSource& source : estimate.sources)
+    parts += (parts.empty() ? "" : ", ") + source.name + " " + percent_text(source.stress_error);
+  return fmt::format(
+      "the peak stress may be wrong by {} and its strain by {} ({}), estimated in {:.2f} s more",
+      percent_text(estimate.stress_error()), percent_text(estimate.strain_error()), parts,
+      estimate.wall_time());
+}
+
+std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {
+  const bool platens = output::has_platens(scene);
+  return fmt::format("peak {}{:.4g} MPa at {} {}, {} tension and {} shear failures, {} steps in {:.2f} s",
+                     platens ? "" : output::name_of_stress(scene) + " ", 1e-6 * result.peak_stress,
+                     platens ? "strain" : output::name_of_strain(scene), strain_text(result.peak_strain),
+                     result.tension_failures, result.shear_failures, result.steps, result.wall_time);
+}
+
+/// Of a run that came to its end; without sources where a second run did not, which is noted.
+output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, Console& console,
+                                  const InterruptGuard& guard) {
+  if (!outcome.divergence.empty() || outcome.interrupted()) return {};
+  try {
+    return estimate_error(job.scene, outcome.result, second_run(console, guard));
+  } catch (const NoEstimate& failed) {
+    job.notes.push_back("there is no estimate of the error: " + failed.why);
+    console.say("note: " + job.notes.back());
+    return {};
+  }
+}
+
+/// What the run itself leaves to be noted.
+void note_outcome(const Outcome& outcome, Job& job, Console& console) {
+  if (!outcome.divergence.empty()) {
+    job.notes.push_back(outcome.divergence);
+    return;
+  }
+  if (outcome.result.nothing_carries) {
+    job.notes.push_back("nothing carries load any more: every point has failed; the run ended at strain " +
+                        strain_text(outcome.result.history.back().strain));
+    console.say("note: " + job.notes.back());
+  }
+  if (const std::string note = energy_note(outcome.result, job.scene); !note.empty()) {
+    job.notes.push_back(note);
+    const bool expected = job.scene.kinematics != mpm::Kinematics::small_strain;
+    console.say((expected ? "note: " : "warning: ") + note);
+  }
+}
+
+/// @throws Rejected when the physics went wrong.
+Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, Console& console) {
+  if (!outcome.divergence.empty())
+    throw Rejected(Exit::data, complaint("simulate", outcome.divergence,
+                                         "what was computed is in " + task.folder.string()));
+  if (!outcome.interrupted()) return Exit::ok;
+  console.say("interrupted; what was computed is kept");
+  if (keeper.has_kept())
+    console.say("to go on: mesopix simulate --resume " + shell_word(task.folder.string()));
+  return Exit::interrupted;
+}
+
+}  // namespace
+
+Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
+  Job& job = task.job;
+  Keeper keeper(task);
+  FrameFolder frames(task.folder, job.scene, task.from ? task.from->frames : std::vector<mpm::FrameTaken>());
+  mpm::RunHooks hooks;
+  hooks.frames = [&](const mpm::Frame& frame) { frames.add(frame); };
+  hooks.checkpoints = {[&](const mpm::Checkpoint& checkpoint) { keeper.keep(checkpoint); },
+                       task.remarks.checkpoint_every};
+  const Outcome outcome =
+      solve(job.scene, console, guard, std::move(hooks), task.from ? &*task.from : nullptr);
+  keeper.report(outcome.result.wall_time, console);
+  const output::ErrorEstimate estimate =
+      task.remarks.estimate_error ? estimate_of(outcome, job, console, guard) : task.remarks.tolerated;
+  note_outcome(outcome, job, console);
+  const RunRecord record{job.specimen,
+                         job.scene,
+                         outcome.result,
+                         task.scene_toml,
+                         specimen::sha256_of_text(task.scene_toml),
+                         job.settings.title,
+                         job.notes,
+                         estimate};
+  write_run(task.folder, record);
+  if (!outcome.interrupted()) keeper.remove();
+  if (task.json)
+    console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  else
+    console.say(result_text(outcome.result, job.scene));
+  if (!estimate.sources.empty()) console.say(estimate_text(estimate));
+  if (frames.count() > 0)
+    console.say(fmt::format("{} frames for ParaView: {}", frames.count(), frames.series().string()));
+  console.say("wrote " + task.folder.string());
+  return exit_of(outcome, task, keeper, console);
+}
+
+}  // namespace app

@@ -1,0 +1,32 @@
+/// A run, from its job to its folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/complaint.hpp"
+#include "apps/console.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/job.hpp"
+#include "apps/run_remarks.hpp"
+#include "libmpm/checkpoint.hpp"
+
+namespace app {
+
+struct RunTask {
+  Job job;
+  std::filesystem::path folder;         ///< exists
+  std::string scene_toml;               ///< the resolved scene, as the folder keeps it
+  RunRemarks remarks;                   ///< its notes are those of the job
+  std::optional<mpm::Checkpoint> from;  ///< where an earlier part of the run ended; none = at the start
+  bool json = false;                    ///< the summary goes to standard output
+};
+
+/// Solve, and write what came of it; frames and checkpoints on the way. Checkpoints are removed once the run
+/// has come to its end; one that is interrupted keeps them, and says how to go on.
+/// @throws Rejected (Exit::data) when the physics went wrong, once all is written; mpm::FileError,
+/// specimen::Error.
+[[nodiscard]] Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console);
+
+}  // namespace app
