@@ -218,6 +218,10 @@ wait "$process"
 code=$?
 [ "$code" -eq 75 ] || fail "interrupted with exit code $code, not 75: $(cat err)"
 exists stopped/curve.csv
+has err "to go on: mesopix simulate --resume stopped"
+[ "$(ls stopped/checkpoints | wc -l)" -eq 1 ] || fail "an interrupted run has no checkpoint, or more than one"
+expect 65 simulate --resume stopped --velocity "0.002 m/s"
+has err "the run began with '0.001 m/s'"
 expect 0 inspect stopped
 has out "(interrupted)"
 

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""Kills a run that writes checkpoints, again and again, and goes on with it each time.
+
+  kill.py MESOPIX [--kills N] [--seed S] [--every SECONDS]
+
+Every second kill waits for a file on its way to the disk. After each, no file may be unreadable and no more than an
+interval be lost; a run that comes to its end must have the bits of one that was never killed.
+"""
+import argparse, random, re, sys, tempfile, time
+from pathlib import Path
+
+import h5py
+
+sys.dont_write_bytecode = True
+from runs import checkpoints, digest, finished, is_whole, simulate
+
+scenes = {
+    "lattice": "",
+    "moving": '[solver]\nkinematics = "auto"\n[handover]\nstrain = 2e-4\n',
+}
+common = """[generate]
+width = "40 mm"
+height = "40 mm"
+pixel_size = "0.5 mm"
+fraction = 0.4
+d_min = "4 mm"
+d_max = "10 mm"
+[output]
+frames = 6
+[loading]
+velocity = "{velocity} m/s"
+stop_strain = 4e-4
+"""
+
+
+slack = 2.0  # to start, to come to the end of a row and to write, on a machine that others use too [s]
+
+
+def being_written(run):
+    return any(run.glob("*.tmp")) or any(run.glob("*/*.tmp"))
+
+
+class Victim:
+    """A run that is killed until it comes to its end."""
+
+    def __init__(self, given, name, folder, chance):
+        self.given, self.chance, self.folder = given, chance, folder
+        self.scene = folder / f"{name}.toml"
+        self.scene.write_text(common.format(velocity=given.velocity[name]) + scenes[name])
+        self.every = ["--checkpoint-every", f"{given.every} s"]
+        said = finished(simulate(given.mesopix, self.scene, *self.every, "-o", folder / "whole"))
+        self.whole = digest(folder / "whole")
+        count, seconds = re.search(r"(\d+) checkpoints? written in ([0-9.]+) s", said).groups()
+        # An interval grows to a hundred times what a checkpoint takes; three times the mean for a slow one.
+        self.interval = max(given.every, 300 * float(seconds) / int(count))
+        self.kills = self.ends = self.without = 0
+        self.worst = 0.0
+
+    def start(self):
+        self.run = self.folder / f"run_{self.ends}"
+        return simulate(self.given.mesopix, self.scene, *self.every, "--threads", 1, "-o", self.run)
+
+    def go_on(self):
+        if not checkpoints(self.run):  # it was killed before there was any: the run begins anew
+            self.without += 1
+            return simulate(self.given.mesopix, self.scene, *self.every, "--overwrite", "-o", self.run)
+        return simulate(self.given.mesopix, "--resume", self.run, "--threads", self.chance.choice((1, 2, 3)))
+
+    def kill(self, process):
+        """@return whether the run was over before."""
+        begin = time.time()
+        until = begin + self.chance.uniform(0, 2 * self.interval + 1)
+        if self.kills % 2 == 0:
+            while process.poll() is None and time.time() < until + 1 and not being_written(self.run):
+                pass
+            until = time.time() + self.chance.choice((0, 0, 1e-3, 5e-3))
+        while process.poll() is None and time.time() < until:
+            time.sleep(1e-4)
+        process.kill()
+        end = time.time()
+        said = process.communicate()[1]
+        if process.returncode == 0:
+            return True
+        assert process.returncode == -9, f"exit code {process.returncode}: {said}"
+        assert "warning" not in said, said
+        self.kills += 1
+        self.look(begin, end)
+        return False
+
+    def look(self, begin, end):
+        """At what a kill has left."""
+        kept = checkpoints(self.run)
+        assert len(kept) <= 3, "the third is written before the first goes"
+        for checkpoint in kept:
+            assert is_whole(checkpoint), f"{checkpoint} is damaged"
+        for path in [*self.run.glob("*.h5"), *self.run.glob("frames/*.hdf")]:
+            h5py.File(path).close()
+        last = max([begin, *(path.stat().st_mtime for path in kept)])
+        self.worst = max(self.worst, end - last)
+
+    def check_end(self):
+        different = [key for key, value in self.whole.items() if digest(self.run).get(key) != value]
+        assert not different, f"{', '.join(different)} differ"
+        left = [str(path) for path in (*self.run.glob("checkpoints"), *self.run.glob("checkpoints/*"))]
+        assert not left, left
+        self.ends += 1
+
+    def endure(self, kills):
+        process = self.start()
+        while self.kills < kills:
+            if self.kill(process):
+                self.check_end()
+                process = self.start()
+            else:
+                process = self.go_on()
+        finished(process)
+        self.check_end()
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("mesopix", type=Path)
+    parser.add_argument("--kills", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--every", type=float, default=0.1)
+    parser.add_argument("--velocity", type=float, nargs=2, default=[0.01, 0.05], help="of the lattice, and of moving points")
+    given = parser.parse_args()
+    given.mesopix = given.mesopix.resolve()
+    given.velocity = dict(zip(scenes, given.velocity))
+    begin = time.time()
+    for number, name in enumerate(scenes):
+        with tempfile.TemporaryDirectory() as folder:
+            victim = Victim(given, name, Path(folder), random.Random(given.seed + number))
+            victim.endure((given.kills + 1 - number) // 2)
+            print(f"{name}: {victim.kills} kills, {victim.without} before the first checkpoint, {victim.ends} runs to "
+                  f"their end with the same bits; at most {victim.worst:.2f} s lost, an interval is up to "
+                  f"{victim.interval:.2f} s", flush=True)
+            assert victim.worst < victim.interval + slack, "more than an interval is lost"
+    print(f"{time.time() - begin:.0f} s in all")
