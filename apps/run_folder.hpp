@@ -35,11 +35,11 @@ struct RunRecord {
 ///   deformed.png, deformed_colour.png            with moving points: where they are at the end
 ///   curve.png      stress against strain
 ///   report.html    all of it on one page that needs no network
-/// Frames of the points are written there before, while the run goes on: see apps/frame_folder.hpp; so are its
-/// checkpoints: see apps/checkpoint_folder.hpp.
-/// A damage picture beyond the strain that the run reached is left out, and report and summary say so.
-/// Every file is written to a temporary name beside it, then renamed: no half-written file carries a final
-/// name. Files of an earlier run of the same names are replaced; pictures that this run has not are removed.
+/// Frames of the points are written there before, while the run goes on: see apps/frame_folder.hpp; so are
+/// its checkpoints: see apps/checkpoint_folder.hpp. A damage picture beyond the strain that the run reached
+/// is left out, and report and summary say so. Every file is written to a temporary name beside it, then
+/// renamed: no half-written file carries a final name. Files of an earlier run of the same names are
+/// replaced; pictures that this run has not are removed.
 /// @throws specimen::Error (Fault::write) or mpm::FileError when the disk fails, naming the file.
 void write_run(const std::filesystem::path& folder, const RunRecord& record);
 

@@ -44,7 +44,7 @@ class Keeper {
   void report(double wall_time, Console& console) const {
     if (!trouble_.empty()) console.say("warning: the last checkpoint is missing: " + trouble_);
     if (folder_.written() > 0 && task_.remarks.checkpoint_every > 0)
-      console.say(fmt::format("{} checkpoint{} written in {:.2f} s, {:.2f} % of the run", folder_.written(),
+      console.say(fmt::format("{} checkpoint{} written in {:.3f} s, {:.2f} % of the run", folder_.written(),
                               folder_.written() == 1 ? "" : "s", folder_.wall_time(),
                               100 * folder_.wall_time() / wall_time));
   }
