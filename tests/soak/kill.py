@@ -53,9 +53,10 @@ class Victim:
         self.every = ["--checkpoint-every", f"{given.every} s"]
         said = finished(simulate(given.mesopix, self.scene, *self.every, "-o", folder / "whole"))
         self.whole = digest(folder / "whole")
-        count, seconds = re.search(r"(\d+) checkpoints? written in ([0-9.]+) s", said).groups()
+        written = re.search(r"(\d+) checkpoints? written in ([0-9.]+) s", said)
+        mean = float(written[2]) / int(written[1]) if written else 0
         # An interval grows to a hundred times what a checkpoint takes; three times the mean for a slow one.
-        self.interval = max(given.every, 300 * float(seconds) / int(count))
+        self.interval = max(given.every, 300 * mean)
         self.kills = self.ends = self.without = 0
         self.worst = 0.0
 
