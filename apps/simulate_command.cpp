@@ -69,7 +69,7 @@ SimulateCommand::SimulateCommand(CLI::App& program)
       settings_(options(), {{"phases", "loading", "damage", "solver", "motion", "handover", "output"},
                             {"specimen", "generate", "convert", "itz"},
                             {}}) {
-  options().add_option("INPUT", input_, "specimen.h5, scene.toml or picture")->type_name("");
+  options().add_option("[INPUT]", input_, "specimen.h5, scene.toml or picture")->type_name("");
   options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");

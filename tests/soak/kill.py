@@ -33,7 +33,7 @@ stop_strain = 4e-4
 """
 
 
-slack = 1.0  # to start, to come to the end of a row and to write, on a machine that others use too [s]
+slack = 2.0  # to start, to come to the end of a row and to write, on a machine that others use too [s]
 
 
 def being_written(run):
