@@ -11,7 +11,7 @@
 #include "libmpm/scene.hpp"
 #include "specimen/specimen.hpp"
 
-/// A finished run, as the files of its folder need it.
+/// A run, as the files of its folder need it: finished, or looked at on its way.
 struct RunRecord {
   const specimen::Specimen& specimen;  ///< what was broken; its mask has the shape of the scene's labels
   const mpm::Scene& scene;             ///< as it was solved
@@ -21,6 +21,7 @@ struct RunRecord {
   std::string title;                          ///< the user's own words; escaped wherever it is shown
   std::vector<std::string> notes;             ///< what was guessed or cut short, one sentence each
   output::ErrorEstimate error_estimate = {};  ///< of the peak; without sources when none was asked for
+  bool goes_on = false;                       ///< the run is not over yet
 };
 
 /// Write a run folder, creating it where it is missing:

@@ -10,7 +10,9 @@
 #include "apps/explanation.hpp"
 #include "apps/frame_folder.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/live/live_view.hpp"
 #include "apps/output/load_words.hpp"
+#include "apps/output/run_words.hpp"
 #include "apps/output/text.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/read_option.hpp"
@@ -55,14 +57,14 @@ struct Outcome {
 };
 
 Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard,
-              const mpm::FrameSink& frames = {}) {
+              const mpm::FrameSink& frames = {}, LiveView* view = nullptr) {
   ProgressLine line(console.err, scene, console.err_is_terminal && !console.quiet);
   try {
     return {mpm::simulate(
                 scene,
                 [&](const mpm::Progress& progress) {
                   line.show(progress);
-                  return !guard.interrupted();
+                  return (view == nullptr || view->look(progress)) && !guard.interrupted();
                 },
                 frames),
             {}};
@@ -176,6 +178,13 @@ void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   }
 }
 
+/// How a run ended, for those who watched it.
+std::string last_words(const Outcome& outcome, const fs::path& folder) {
+  const std::string how =
+      outcome.divergence.empty() ? output::phrase_of(outcome.result.stop) : outcome.divergence;
+  return "The run has ended: " + how + ". Its report is " + (folder / "report.html").string();
+}
+
 /// @throws Rejected when the physics went wrong.
 Exit exit_of(const Outcome& outcome, const fs::path& folder, Console& console) {
   if (!outcome.divergence.empty())
@@ -208,6 +217,10 @@ SimulateCommand::SimulateCommand(CLI::App& program)
           "choose the rate, the step and the precision that keep the error of the peak stress below this, "
           "e.g. \"1 %\"")
       ->type_name("RATIO");
+  options().add_flag("--serve", serve_,
+                     "show the report in a browser on this machine while the run goes on, with a button that "
+                     "stops it; the address is printed");
+  options().add_option("--port", port_, "of --serve on 127.0.0.1 [any that is free]")->type_name("NUMBER");
   options().add_flag("--json", json_, "summary as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
@@ -219,7 +232,10 @@ std::vector<std::string> SimulateCommand::prepare(const std::vector<std::string>
 void SimulateCommand::check_options() const {
   if (input_.empty())
     throw Rejected(Exit::usage, complaint("INPUT", "missing", "", "mesopix simulate INPUT"));
-  const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
+  const char* error = !tolerance_.empty() ? "--tolerance"
+                      : estimate_error_   ? "--estimate-error"
+                      : serve_            ? "--serve"
+                                          : nullptr;
   const char* other = explain_                                 ? "--explain"
                       : print_scene_                           ? "--print-scene"
                       : !tolerance_.empty() && estimate_error_ ? "--estimate-error"
@@ -229,6 +245,15 @@ void SimulateCommand::check_options() const {
                    complaint(error, std::string("given with ") + other, "", "give one of the two"));
 }
 
+/// 0 = any that is free.
+int SimulateCommand::port() const {
+  if (port_.empty()) return 0;
+  if (!serve_)
+    throw Rejected(Exit::usage,
+                   complaint("--port", port_, "is for --serve, which is not given", "add --serve"));
+  return read_option("--port", port_, Integer<int>{{between(1, 65535), {}}});
+}
+
 double SimulateCommand::tolerance() const {
   return read_option("--tolerance", tolerance_, Quantity{Dimension::ratio, inside(0, 1), {}});
 }
@@ -236,6 +261,7 @@ double SimulateCommand::tolerance() const {
 Exit SimulateCommand::run(Console& console) {
   console.quiet = quiet_;
   check_options();
+  const int port = this->port();
   const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
   Resolved resolved = resolve_input(input_, settings_.assignments());
   console.origins = resolved.origins;
@@ -264,15 +290,23 @@ Exit SimulateCommand::run(Console& console) {
     throw Rejected(failed.interrupted ? Exit::interrupted : Exit::data,
                    complaint("--tolerance", "not met, " + failed.why, "", "nothing was written"));
   }
+  const std::string toml = scene_text(job.settings, Extent::whole, folder.path());
+  const std::string hash = specimen::sha256_of_text(toml);
+  std::optional<LiveView> view;
+  if (serve_) {
+    view.emplace(LiveRun{job.specimen, job.scene, toml, hash, job.settings.title, job.notes}, port);
+    console.err << "watch the run at " << view->address() << std::endl;
+  }
   FrameFolder frames(folder.path(), job.scene);
-  const Outcome outcome =
-      solve(job.scene, console, guard, [&](const mpm::Frame& frame) { frames.add(frame); });
+  const Outcome outcome = solve(
+      job.scene, console, guard, [&](const mpm::Frame& frame) { frames.add(frame); },
+      view ? &*view : nullptr);
   if (estimate_error_) estimate = estimate_of(outcome, job, console, guard);
   note_outcome(outcome, job, console);
-  const std::string toml = scene_text(job.settings, Extent::whole, folder.path());
-  const RunRecord record{job.specimen,       job.scene, outcome.result, toml, specimen::sha256_of_text(toml),
-                         job.settings.title, job.notes, estimate};
+  const RunRecord record{job.specimen, job.scene,          outcome.result, toml,
+                         hash,         job.settings.title, job.notes,      estimate};
   write_run(folder.path(), record);
+  if (view) view->finish(outcome.result, last_words(outcome, folder.path()));
   if (json_)
     console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   else

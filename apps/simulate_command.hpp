@@ -14,6 +14,7 @@ class SimulateCommand : public Command {
  private:
   void check_options() const;
   [[nodiscard]] double tolerance() const;
+  [[nodiscard]] int port() const;
 
   SettingOptions settings_;
   std::string input_;
@@ -23,6 +24,8 @@ class SimulateCommand : public Command {
   bool explain_ = false;
   bool estimate_error_ = false;
   std::string tolerance_;
+  bool serve_ = false;
+  std::string port_;
   bool json_ = false;
   bool quiet_ = false;
 };

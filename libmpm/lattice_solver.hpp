@@ -43,8 +43,8 @@ class LatticeSolver {
   /// The points as they are at the time of the last ledger; all of the frame but its row of the history.
   void fill(Frame& frame) const;
 
-  /// Failure maps so far, moved out.
-  void take_maps(Result& result);
+  /// Failure maps so far.
+  void copy_maps(Result& result) const;
 
   [[nodiscard]] double dt() const { return plan_.dt; }  ///< [s]
   /// The point where numbers ceased to be numbers, else the one with the most elastic energy, by name.

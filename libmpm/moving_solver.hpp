@@ -49,8 +49,8 @@ class MovingSolver {
   /// The points as they are after the last step; all of the frame but its row of the history.
   void fill(Frame& frame) const;
 
-  /// Failure maps so far, moved out, and where the points are.
-  void take_maps(Result& result);
+  /// Failure maps so far, and where the points are.
+  void copy_maps(Result& result) const;
 
   /// The point with the most kinetic and elastic energy for its mass, by name.
   [[nodiscard]] std::string worst_point() const;

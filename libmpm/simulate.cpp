@@ -172,14 +172,14 @@ class Run {
       HistoryRow row = history_row(scene_, ledger);
       row.moving_points = moving ? result_.points - ledger.left_points : 0;
       if (const std::string trouble = trouble_of(solver, moving, ledger, row); !trouble.empty()) {
-        finish(solver);
+        complete(result_, solver);
         throw Diverged(trouble, std::move(result_));
       }
       add_row(result_, row);
       frames_.offer(solver, share_done(scene_, row), result_.history.size() - 1);
       const bool was_over = result_.nothing_carries;
       result_.nothing_carries = nothing_carries(ledger);
-      if (ends(row)) return false;
+      if (ends(solver, row)) return false;
       if (was_over) {
         result_.stop = StopReason::drop;
         return false;
@@ -197,16 +197,24 @@ class Run {
   template <class Solver>
   [[nodiscard]] Result end(Solver& solver) {
     frames_.close(solver, result_.history.size() - 1);
-    finish(solver);
+    complete(result_, solver);
     return std::move(result_);
   }
 
  private:
+  /// Adds what is not recorded row by row.
   template <class Solver>
-  void finish(Solver& solver) {
-    result_.wall_time = seconds_since(start_);
-    solver.take_maps(result_);
-    close_ledger(result_);
+  void complete(Result& result, const Solver& solver) const {
+    result.wall_time = seconds_since(start_);
+    solver.copy_maps(result);
+    close_ledger(result);
+  }
+
+  template <class Solver>
+  [[nodiscard]] Result so_far(const Solver& solver) const {
+    Result copy = result_;
+    complete(copy, solver);
+    return copy;
   }
 
   template <class Solver>
@@ -228,14 +236,16 @@ class Run {
     return divergence_text(scene_, plan_, seen);
   }
 
-  [[nodiscard]] bool ends(const HistoryRow& row) {
+  template <class Solver>
+  [[nodiscard]] bool ends(const Solver& solver, const HistoryRow& row) {
     // Before the ramp ends the waves of the start are no peak.
     if (scene_.loading.stop_drop && row.time > plan_.ramp_time &&
         row.stress < *scene_.loading.stop_drop * result_.peak_stress) {
       result_.stop = StopReason::drop;
       return true;
     }
-    if (observer_ && !observer_({row, std::min(1.0, share_done(scene_, row)), seconds_since(start_)})) {
+    if (observer_ && !observer_({row, std::min(1.0, share_done(scene_, row)), seconds_since(start_),
+                                 [&] { return so_far(solver); }})) {
       result_.stop = StopReason::interrupted;
       return true;
     }

@@ -21,4 +21,7 @@ inline constexpr std::int64_t most_strength_pixels = 500'000;
 /// cols) from the top row down, deflated, as base64.   @pre has_film(record)
 [[nodiscard]] nlohmann::ordered_json film_data(const RunRecord& record);
 
+/// Of these what changes while a run goes on: end_strain, failure, mode, crush.   @pre has_film(record)
+[[nodiscard]] nlohmann::ordered_json film_growth(const RunRecord& record);
+
 }  // namespace output
