@@ -1,5 +1,6 @@
 #include "apps/run_folder.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "apps/output/chart_layout.hpp"

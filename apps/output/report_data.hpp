@@ -1,7 +1,7 @@
 /// What the script of a report reads.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "apps/run_folder.hpp"

@@ -1,5 +1,7 @@
 #include "apps/output/watching.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/format.h>
 
 #include "apps/output/chart_json.hpp"
