@@ -1,8 +1,8 @@
 #include "apps/frame_folder.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "libmpm/error.hpp"
 #include "libmpm/frame_file.hpp"
@@ -26,22 +26,30 @@ void remove_file(const fs::path& path) {
 }
 
 /// What is not a frame stays, and with it the folder.
-void remove_frames(const fs::path& folder) {
+void remove_frames(const fs::path& run) {
+  for (const fs::path& frame : frames_of(run)) remove_file(frame);
   std::error_code error;
-  if (!fs::is_directory(folder, error)) return;
-  std::vector<fs::path> frames;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (output::is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
-  for (const fs::path& frame : frames) remove_file(frame);
-  fs::remove(folder, error);
+  if (fs::is_directory(run / folder_name, error)) fs::remove(run / folder_name, error);
 }
 
 }  // namespace
 
+std::vector<fs::path> frames_of(const fs::path& run) {
+  std::error_code error;
+  std::vector<fs::path> frames;
+  for (const fs::directory_entry& entry : fs::directory_iterator(run / folder_name, error))
+    if (output::is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
+  std::sort(frames.begin(), frames.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string left = a.filename().string(), right = b.filename().string();
+    return left.size() != right.size() ? left.size() < right.size() : left < right;  // more digits come later
+  });
+  return frames;
+}
+
 FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene) : run_(std::move(run)), scene_(scene) {
   remove_file(run_ / series_name);
   remove_file(run_ / xdmf_name);
-  remove_frames(run_ / folder_name);
+  remove_frames(run_);
 }
 
 void FrameFolder::add(const mpm::Frame& frame) {
