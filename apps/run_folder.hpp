@@ -39,7 +39,8 @@ struct RunRecord {
 /// Frames of the points are written there before, while the run goes on: see apps/frame_folder.hpp.
 /// A damage picture beyond the strain that the run reached is left out, and report and summary say so.
 /// Every file is written to a temporary name beside it, then renamed: no half-written file carries a final
-/// name. Files of an earlier run of the same names are replaced; pictures that this run has not are removed.
+/// name. Files of an earlier run of the same names are replaced; pictures that this run has not are removed,
+/// and so are maps that mesopix export has made of that run.
 /// @throws specimen::Error (Fault::write) or mpm::FileError when the disk fails, naming the file.
 void write_run(const std::filesystem::path& folder, const RunRecord& record);
 

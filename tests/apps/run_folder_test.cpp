@@ -121,6 +121,13 @@ TEST_F(RunFolder, LeavesNoPictureOfAnEarlierRunBehind) {
   EXPECT_TRUE(names().contains("damage_notes.txt"));
 }
 
+TEST_F(RunFolder, LeavesNoMapThatWasExportedFromAnEarlierRunBehind) {
+  for (const char* name : {"damage.tif", "failure_strain.tif"}) std::ofstream(folder_ / name) << "of before";
+  write_run(folder_, tension_run(30).record());
+  EXPECT_FALSE(names().contains("damage.tif"));
+  EXPECT_FALSE(names().contains("failure_strain.tif"));
+}
+
 TEST_F(RunFolder, HoldsTheEndOfMovingPointsAndNoneOfAnEarlierRun) {
   const FakeRun moving = impact_run(30);
   write_run(folder_, moving.record());
