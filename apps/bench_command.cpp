@@ -12,7 +12,7 @@
 #include "apps/bench/stability.hpp"
 #include "apps/bench/stability_table.hpp"
 #include "apps/interrupt.hpp"
-#include "apps/reproduce/job_pool.hpp"
+#include "apps/job_pool.hpp"
 #include "apps/run_location.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/terminal_line.hpp"
@@ -121,7 +121,7 @@ Exit BenchCommand::run_stability(Console& console) const {
   const bench::StabilityOutcome outcome = [&] {
     CountLine line(console);
     return bench::run_stability(
-        {cases_, reproduce::core_count()}, [&](std::size_t done, std::size_t all) { line.show(done, all); },
+        {cases_, core_count()}, [&](std::size_t done, std::size_t all) { line.show(done, all); },
         [&] { return !guard.interrupted(); });
   }();
   mpm::replace_file((folder.path() / "stability.csv").string(), bench::stability_csv(outcome));

@@ -1,5 +1,7 @@
 #include "apps/calibration_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "apps/bounded_minimum.hpp"
 #include "apps/calibration_words.hpp"
 #include "apps/parameter_spread.hpp"

@@ -1,7 +1,7 @@
 /// calibration.json: what was aimed at, what was free, what was found.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "apps/calibration.hpp"
 

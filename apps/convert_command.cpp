@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "apps/scene_file.hpp"
 #include "apps/specimen_output.hpp"

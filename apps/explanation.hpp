@@ -1,7 +1,7 @@
 /// What a run has in it and what it leaves out, as text and as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "libmpm/explain.hpp"

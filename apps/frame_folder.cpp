@@ -1,5 +1,6 @@
 #include "apps/frame_folder.hpp"
 
+#include <algorithm>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -27,19 +28,27 @@ void remove_file(const fs::path& path) {
 }
 
 /// What is not a frame stays, and with it the folder.   @param kept  names of frames that stay.
-void remove_frames(const fs::path& folder, const std::set<std::string>& kept) {
+void remove_frames(const fs::path& run, const std::set<std::string>& kept) {
+  for (const fs::path& frame : frames_of(run))
+    if (!kept.contains(frame.filename().string())) remove_file(frame);
   std::error_code error;
-  if (!fs::is_directory(folder, error)) return;
-  std::vector<fs::path> frames;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (output::is_frame_name(name) && !kept.contains(name)) frames.push_back(entry.path());
-  }
-  for (const fs::path& frame : frames) remove_file(frame);
-  fs::remove(folder, error);  // fails, as it should, while something is in it
+  if (fs::is_directory(run / folder_name, error))
+    fs::remove(run / folder_name, error);  // fails, as it should, while something is in it
 }
 
 }  // namespace
+
+std::vector<fs::path> frames_of(const fs::path& run) {
+  std::error_code error;
+  std::vector<fs::path> frames;
+  for (const fs::directory_entry& entry : fs::directory_iterator(run / folder_name, error))
+    if (output::is_frame_name(entry.path().filename().string())) frames.push_back(entry.path());
+  std::sort(frames.begin(), frames.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string left = a.filename().string(), right = b.filename().string();
+    return left.size() != right.size() ? left.size() < right.size() : left < right;  // more digits come later
+  });
+  return frames;
+}
 
 FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vector<mpm::FrameTaken>& taken)
     : run_(std::move(run)), scene_(scene) {
@@ -51,7 +60,7 @@ FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vecto
                            "bring it back, or begin the run anew");
     kept.insert(name);
   }
-  remove_frames(run_ / folder_name, kept);
+  remove_frames(run_, kept);
   if (!taken.empty()) {
     write_lists();
   } else {

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// In the folder of a run, for ParaView:
+/// In the folder of a run, for ParaView and for pictures of the stress:
 ///   frames/p_000000.hdf, p_000001.hdf ...   one a frame, by number (mpm::write_frame); 0 = the start
 ///   frames.hdf.series                       their list: what ParaView opens
 ///   frames.xdmf                             the same, for programs that read XDMF
@@ -41,5 +41,8 @@ class FrameFolder {
   output::FrameSeries list_;
   output::FrameXdmf xdmf_;
 };
+
+/// The frames in the folder of a run, by number; none where there are none.
+[[nodiscard]] std::vector<std::filesystem::path> frames_of(const std::filesystem::path& run);
 
 }  // namespace app

@@ -1,5 +1,7 @@
 #include "apps/generate_command.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "apps/scene_file.hpp"
 #include "apps/specimen_output.hpp"
 #include "apps/specimen_report.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "apps/codec.hpp"
@@ -14,6 +15,7 @@
 #include "apps/output/vector_file.hpp"
 #include "apps/read_option.hpp"
 #include "apps/run_reader.hpp"
+#include "apps/stress_plot.hpp"
 #include "libmpm/replace_file.hpp"
 
 namespace app {
@@ -27,10 +29,19 @@ constexpr const char* footer =
     "Examples:\n"
     "  mesopix plot runs/specimen --at 90%peak -o damage.pdf\n"
     "  mesopix plot runs/specimen --at 120e-6 --look colour -o damage.png\n"
-    "  mesopix plot runs/specimen --what curve -o curve.svg";
+    "  mesopix plot runs/specimen --what curve -o curve.svg\n"
+    "  mesopix plot runs/specimen --what stress --component first --range \"0:5 MPa\" -o stress.pdf\n"
+    "Stress is that of the frame nearest to --at (mesopix simulate SCENE --frames 40), in MPa, tension "
+    "positive.\n"
+    "Components: yy along the loading, xx across it, xy; first and third, the largest and the smallest of "
+    "the\n"
+    "three principal stresses; mises. Failed points are black. Without --range the colours leave out the "
+    "largest\n"
+    "and the smallest hundredth of the values; warm colours are above zero, cool ones below.";
 
-enum class What { damage, curve };
+enum class What { damage, curve, stress };
 enum class Look { grey, colour };
+using output::StressComponent;
 enum class Format { png, svg, pdf };
 
 template <class E>
@@ -43,6 +54,10 @@ E chosen(const char* option, const std::string& text,
   }
   throw Rejected(Exit::usage, complaint(option, text, "must be " + listed(names)));
 }
+
+constexpr std::initializer_list<std::pair<const char*, StressComponent>> components{
+    {"yy", StressComponent::yy},       {"xx", StressComponent::xx},       {"xy", StressComponent::xy},
+    {"first", StressComponent::first}, {"third", StressComponent::third}, {"mises", StressComponent::mises}};
 
 /// By the ending of the file.
 Format format_of(const std::string& path) {
@@ -75,16 +90,17 @@ void check_reached(const std::string& text, double strain, const mpm::Result& re
                                            unit.name + ", where the run ended"));
 }
 
-output::Drawing damage(const ReadRun& run, const std::string& at, Look look) {
-  const double strain = strain_at(at, run.result);
-  check_reached(at, strain, run.result);
-  const output::StrainUnit unit = output::strain_unit(run.result);
-  std::string words = output::rounded(unit.per_strain * strain) + " " + unit.name;
-  if (run.result.peak_strain > 0)
-    words += ", " + output::percent(strain / run.result.peak_strain, 0) + " of the peak strain";
+/// Of --at.
+double reached_strain(const std::string& text, const mpm::Result& result) {
+  const double strain = strain_at(text, result);
+  check_reached(text, strain, result);
+  return strain;
+}
+
+output::Drawing damage(const ReadRun& run, double strain, Look look) {
   return output::damage_drawing(run.specimen.mask, run.result, strain,
                                 look == Look::grey ? output::grey_palette() : output::colour_palette(),
-                                words);
+                                output::strain_words(run.result, strain, 0));
 }
 
 std::string bytes_of(const output::Drawing& drawing, Format format) {
@@ -102,30 +118,64 @@ std::string bytes_of(const output::Drawing& drawing, Format format) {
 }  // namespace
 
 PlotCommand::PlotCommand(CLI::App& program)
-    : Command(program, "plot", "Draw the damage or the curve of a run for a paper or a slide", footer) {
+    : Command(program, "plot", "Draw damage, stress or the curve of a run for a paper or a slide", footer) {
   options().add_option("RUN", run_, "folder of a run")->type_name("");
-  options().add_option("--what", what_, "damage or curve [damage]")->type_name("WHAT");
-  options()
-      .add_option("--at", at_, "strain, or share of the peak strain, of the damage [100%peak]")
-      ->type_name("STRAIN");
-  options().add_option("--look", look_, "grey, as in the paper, or colour [grey]")->type_name("LOOK");
+  options().add_option("--what", what_, "damage, stress or curve [damage]")->type_name("WHAT");
+  add("--at", at_, "STRAIN", "strain, or share of the peak strain, of damage or stress [100%peak]",
+      {"damage", "stress"});
+  add("--look", look_, "LOOK", "of damage: grey, as in the paper, or colour [grey]", {"damage"});
+  add("--component", component_, "NAME", "of stress: yy, xx, xy, first, third or mises [yy]", {"stress"});
+  add("--range", range_, "LOW:HIGH|auto", "of the colours of stress, as \"-5:5 MPa\" [auto]", {"stress"});
   options()
       .add_option("-o,--output", output_, "the picture: .png, .svg or .pdf [WHAT.png]")
       ->type_name("FILE");
 }
 
+void PlotCommand::add(const char* name, std::string& text, const char* type, const char* help,
+                      std::vector<std::string> fits) {
+  CLI::Option* option = options().add_option(name, text, help)->type_name(type);
+  special_.push_back({option, std::move(fits)});
+}
+
+/// An option that changes nothing was meant for something else.
+void PlotCommand::check_fit() const {
+  for (const auto& [option, fits] : special_)
+    if (option->count() > 0 && std::find(fits.begin(), fits.end(), what_) == fits.end())
+      throw Rejected(Exit::usage,
+                     complaint(option->get_name(), option->as<std::string>(),
+                               "changes nothing of --what " + what_ + "; is for " + listed(fits)));
+}
+
 Exit PlotCommand::run(Console& console) {
   if (run_.empty()) throw Rejected(Exit::usage, complaint("RUN", "missing", "", "mesopix plot RUN"));
-  const What what = chosen<What>("--what", what_, {{"damage", What::damage}, {"curve", What::curve}});
+  const What what = chosen<What>(
+      "--what", what_, {{"damage", What::damage}, {"stress", What::stress}, {"curve", What::curve}});
+  check_fit();
   const Look look = chosen<Look>("--look", look_, {{"grey", Look::grey}, {"colour", Look::colour}});
+  const StressComponent component = chosen<StressComponent>("--component", component_, components);
+  std::optional<output::ColourScale> range;
+  if (range_ != "auto") range = read_range(range_);
   const std::string path = output_.empty() ? what_ + ".png" : output_;
   const Format format = format_of(path);
   const ReadRun run = read_run(run_);
-  const output::Drawing drawing = what == What::damage
-                                      ? damage(run, at_, look)
-                                      : output::lay_out(output::stress_chart(run.record()), 608, 368);
+  std::string words = "wrote " + path;
+  output::Drawing drawing;
+  switch (what) {
+    case What::damage:
+      drawing = damage(run, reached_strain(at_, run.result), look);
+      break;
+    case What::stress: {
+      StressPlot plot = stress_plot(run, run_, reached_strain(at_, run.result), component, range);
+      drawing = std::move(plot.drawing);
+      words += ": " + plot.words;
+      break;
+    }
+    case What::curve:
+      drawing = output::lay_out(output::stress_chart(run.record()), 608, 368);
+      break;
+  }
   mpm::replace_file(path, bytes_of(drawing, format));
-  console.say("wrote " + path);
+  console.say(words);
   return Exit::ok;
 }
 

@@ -1,6 +1,9 @@
 /// mesopix plot: pictures of a run for papers and slides.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "apps/command.hpp"
 
 namespace app {
@@ -11,10 +14,22 @@ class PlotCommand : public Command {
   Exit run(Console& console) override;
 
  private:
+  /// An option of some of the kinds of pictures.
+  struct Special {
+    CLI::Option* option;
+    std::vector<std::string> fits;
+  };
+  void add(const char* name, std::string& text, const char* type, const char* help,
+           std::vector<std::string> fits);
+  void check_fit() const;
+
+  std::vector<Special> special_;
   std::string run_;
   std::string what_ = "damage";
   std::string at_ = "100%peak";
   std::string look_ = "grey";
+  std::string component_ = "yy";
+  std::string range_ = "auto";
   std::string output_;
 };
 

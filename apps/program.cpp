@@ -2,11 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <new>
 
-#include "apps/bench_command.hpp"
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
@@ -15,7 +13,6 @@
 #include "apps/inspect_command.hpp"
 #include "apps/plot_command.hpp"
 #include "apps/report_command.hpp"
-#include "apps/reproduce_command.hpp"
 #include "apps/simulate_command.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/version.hpp"
@@ -37,11 +34,20 @@ constexpr const char* footer_text =
 /// The program and its subcommands.
 class Program {
  public:
-  Program() {
+  explicit Program(const MoreCommands& more) {
     root_.formatter(help_formatter());
     root_.set_version_flag("--version", std::string("mesopix ") + version());
     root_.footer(footer_text);
     root_.allow_extras();
+    add<GenerateCommand>();
+    add<ConvertCommand>();
+    add<SimulateCommand>();
+    add<CalibrateCommand>();
+    add<InspectCommand>();
+    add<ReportCommand>();
+    add<PlotCommand>();
+    add<ExportCommand>();
+    for (const auto& make : more) commands_.push_back(make(root_));
   }
 
   Exit run(const std::vector<std::string>& arguments, Console& console) {
@@ -72,20 +78,20 @@ class Program {
   }
 
  private:
-  std::array<Command*, 10> commands() {
-    return {&generate_, &convert_, &simulate_, &calibrate_, &inspect_,
-            &report_,   &plot_,    &export_,   &reproduce_, &bench_};
+  template <class Kind>
+  void add() {
+    commands_.push_back(std::make_unique<Kind>(root_));
   }
 
   Command* find(const std::string& name) {
-    for (Command* command : commands())
-      if (command->options().get_name() == name) return command;
+    for (const auto& command : commands_)
+      if (command->options().get_name() == name) return command.get();
     return nullptr;
   }
 
   std::vector<std::string> names() {
     std::vector<std::string> all;
-    for (Command* command : commands()) all.push_back(command->options().get_name());
+    for (const auto& command : commands_) all.push_back(command->options().get_name());
     return all;
   }
 
@@ -95,16 +101,7 @@ class Program {
   }
 
   CLI::App root_{"mesopix: from a picture of concrete to a broken specimen", "mesopix"};
-  GenerateCommand generate_{root_};
-  ConvertCommand convert_{root_};
-  SimulateCommand simulate_{root_};
-  CalibrateCommand calibrate_{root_};
-  InspectCommand inspect_{root_};
-  ReportCommand report_{root_};
-  PlotCommand plot_{root_};
-  ExportCommand export_{root_};
-  ReproduceCommand reproduce_{root_};
-  BenchCommand bench_{root_};
+  std::vector<std::unique_ptr<Command>> commands_;
 };
 
 Exit refuse(Console& console, Exit code, const std::vector<Complaint>& complaints) {
@@ -119,17 +116,17 @@ Complaint complaint_of(const Error& error) {
   return complaint(error.field, error.value, error.allowed, error.cure);
 }
 
-Exit run_and_flush(const std::vector<std::string>& arguments, Console& console) {
-  const Exit code = Program().run(arguments, console);
+Exit run_and_flush(const std::vector<std::string>& arguments, Console& console, const MoreCommands& more) {
+  const Exit code = Program(more).run(arguments, console);
   if (console.out.flush()) return code;
   throw Rejected(Exit::io, complaint("standard output", "cannot be written", ""));
 }
 
 }  // namespace
 
-Exit run_program(const std::vector<std::string>& arguments, Console& console) {
+Exit run_program(const std::vector<std::string>& arguments, Console& console, const MoreCommands& more) {
   try {
-    return run_and_flush(arguments, console);
+    return run_and_flush(arguments, console, more);
   } catch (const Rejected& rejected) {
     return refuse(console, rejected.code, rejected.complaints);
   } catch (const CLI::ParseError& error) {

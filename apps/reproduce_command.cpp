@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "apps/interrupt.hpp"
+#include "apps/job_pool.hpp"
 #include "apps/reproduce/figure_table.hpp"
-#include "apps/reproduce/job_pool.hpp"
 #include "apps/reproduce/reproduce_report.hpp"
 #include "apps/reproduce/words.hpp"
 #include "apps/run_location.hpp"
@@ -90,7 +90,7 @@ Exit ReproduceCommand::run(Console& console) {
     throw Rejected(Exit::usage, complaint("--all", "given with --figure", "", "give one of the two"));
   const auto figures = reproduce::select_figures(figures_);
   const fs::path folder = make_run_folder(output_, "reproduce", overwrite_);
-  const int workers = jobs_ > 0 ? jobs_ : reproduce::core_count();
+  const int workers = jobs_ > 0 ? jobs_ : core_count();
   const InterruptGuard guard;
   const auto reproduction = [&] {
     const CampaignLine line(console);

@@ -1,5 +1,6 @@
 #include "apps/run_folder.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "apps/output/chart_layout.hpp"
@@ -74,10 +75,19 @@ void write_end(const fs::path& folder, const RunRecord& record) {
   }
 }
 
+/// What mesopix export has made of an earlier run in the same folder.
+void remove_maps(const fs::path& folder) {
+  for (const char* name : {"damage.tif", "failure_strain.tif"}) {
+    std::error_code ignored;  // there is nothing to remove in a new folder
+    fs::remove(folder / name, ignored);
+  }
+}
+
 }  // namespace
 
 void write_run(const fs::path& folder, const RunRecord& record) {
   create_folder(folder);
+  remove_maps(folder);
   mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml);
   specimen::write_specimen((folder / "specimen.h5").string(), record.specimen);
   write_text(folder / "curve.csv", output::curve_csv(record.result.history));

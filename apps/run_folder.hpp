@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -11,7 +11,7 @@
 #include "libmpm/scene.hpp"
 #include "specimen/specimen.hpp"
 
-/// A finished run, as the files of its folder need it.
+/// A run, as the files of its folder need it: finished, or looked at on its way.
 struct RunRecord {
   const specimen::Specimen& specimen;  ///< what was broken; its mask has the shape of the scene's labels
   const mpm::Scene& scene;             ///< as it was solved
@@ -21,6 +21,7 @@ struct RunRecord {
   std::string title;                          ///< the user's own words; escaped wherever it is shown
   std::vector<std::string> notes;             ///< what was guessed or cut short, one sentence each
   output::ErrorEstimate error_estimate = {};  ///< of the peak; without sources when none was asked for
+  bool goes_on = false;                       ///< the run is not over yet
 };
 
 /// Write a run folder, creating it where it is missing:
@@ -36,10 +37,11 @@ struct RunRecord {
 ///   curve.png      stress against strain
 ///   report.html    all of it on one page that needs no network
 /// Frames of the points are written there before, while the run goes on: see apps/frame_folder.hpp; so are
-/// its checkpoints: see apps/checkpoint_folder.hpp. A damage picture beyond the strain that the run reached
-/// is left out, and report and summary say so. Every file is written to a temporary name beside it, then
-/// renamed: no half-written file carries a final name. Files of an earlier run of the same names are
-/// replaced; pictures that this run has not are removed.
+/// its checkpoints: see apps/checkpoint_folder.hpp.
+/// A damage picture beyond the strain that the run reached is left out, and report and summary say so.
+/// Every file is written to a temporary name beside it, then renamed: no half-written file carries a final
+/// name. Files of an earlier run of the same names are replaced; pictures that this run has not are removed,
+/// and so are maps that mesopix export has made of that run.
 /// @throws specimen::Error (Fault::write) or mpm::FileError when the disk fails, naming the file.
 void write_run(const std::filesystem::path& folder, const RunRecord& record);
 

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+#include <optional>
+
 #include "apps/checkpoint_folder.hpp"
 #include "apps/energy_note.hpp"
 #include "apps/frame_folder.hpp"
+#include "apps/live/live_view.hpp"
 #include "apps/output/load_words.hpp"
+#include "apps/output/run_words.hpp"
 #include "apps/output/text.hpp"
 #include "apps/run_folder.hpp"
 #include "apps/shell_word.hpp"
@@ -117,6 +122,13 @@ void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   }
 }
 
+/// How a run ended, for those who watched it.
+std::string last_words(const Outcome& outcome, const std::filesystem::path& folder) {
+  const std::string how =
+      outcome.divergence.empty() ? output::phrase_of(outcome.result.stop) : outcome.divergence;
+  return "The run has ended: " + how + ". Its report is " + (folder / "report.html").string();
+}
+
 /// @throws Rejected when the physics went wrong.
 Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, Console& console) {
   if (!outcome.divergence.empty())
@@ -133,9 +145,17 @@ Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, 
 
 Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   Job& job = task.job;
+  const std::string hash = specimen::sha256_of_text(task.scene_toml);
+  std::optional<LiveView> view;
+  if (task.port) {
+    view.emplace(LiveRun{job.specimen, job.scene, task.scene_toml, hash, job.settings.title, job.notes},
+                 *task.port);
+    console.err << "watch the run at " << view->address() << std::endl;
+  }
   Keeper keeper(task);
   FrameFolder frames(task.folder, job.scene, task.from ? task.from->frames : std::vector<mpm::FrameTaken>());
   mpm::RunHooks hooks;
+  if (view) hooks.observer = [&](const mpm::Progress& progress) { return view->look(progress); };
   hooks.frames = [&](const mpm::Frame& frame) { frames.add(frame); };
   hooks.checkpoints = {[&](const mpm::Checkpoint& checkpoint) { keeper.keep(checkpoint); },
                        task.remarks.checkpoint_every};
@@ -145,15 +165,10 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   const output::ErrorEstimate estimate =
       task.remarks.estimate_error ? estimate_of(outcome, job, console, guard) : task.remarks.tolerated;
   note_outcome(outcome, job, console);
-  const RunRecord record{job.specimen,
-                         job.scene,
-                         outcome.result,
-                         task.scene_toml,
-                         specimen::sha256_of_text(task.scene_toml),
-                         job.settings.title,
-                         job.notes,
-                         estimate};
+  const RunRecord record{job.specimen, job.scene,          outcome.result, task.scene_toml,
+                         hash,         job.settings.title, job.notes,      estimate};
   write_run(task.folder, record);
+  if (view) view->finish(outcome.result, last_words(outcome, task.folder));
   if (!outcome.interrupted()) keeper.remove();
   if (task.json)
     console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';

@@ -20,6 +20,7 @@ struct RunTask {
   std::string scene_toml;               ///< the resolved scene, as the folder keeps it
   RunRemarks remarks;                   ///< its notes are those of the job
   std::optional<mpm::Checkpoint> from;  ///< where an earlier part of the run ended; none = at the start
+  std::optional<int> port;              ///< where it can be watched; 0 = any that is free, none = nowhere
   bool json = false;                    ///< the summary goes to standard output
 };
 

@@ -284,7 +284,7 @@ std::vector<Field> output_fields() {
       field("output.history_rows", Integer<>{{between(10, 1'000'000), {}}}, "rows of the stress-strain curve",
             MEMBER(scene.history_rows)),
       field("output.frames", Integer<>{{between(0, 100'000), {}}},
-            "states of all points for ParaView, evenly spaced over the strain, beside the start; 0 = none",
+            "states of all points for ParaView and plot --what stress, even in strain; 0 = none",
             MEMBER(scene.frames)),
   };
 }

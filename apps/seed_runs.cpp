@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/reproduce/job_pool.hpp"
+#include "apps/job_pool.hpp"
 #include "libmpm/simulate.hpp"
 
 namespace app {
@@ -70,8 +70,8 @@ std::optional<std::vector<SeedRun>> run_seeds(const mpm::Scene& scene,
   std::vector<std::function<void()>> jobs;
   for (std::size_t i = 0; i < seeds.size(); ++i)
     jobs.emplace_back([&, i] { runs[i] = run_seed(scene, seeds[i], end, stopped); });
-  const int workers = scene.threads > 0 ? scene.threads : reproduce::core_count();
-  reproduce::run_jobs(jobs, workers, {{}, [&] { return !stopped(); }});
+  const int workers = scene.threads > 0 ? scene.threads : core_count();
+  run_jobs(jobs, workers, {{}, [&] { return !stopped(); }});
   if (stopped()) return std::nullopt;
   return runs;
 }

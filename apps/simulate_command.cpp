@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/explanation.hpp"
@@ -93,6 +94,10 @@ SimulateCommand::SimulateCommand(CLI::App& program)
           "--resume", resume_,
           "go on with the run in a folder, from its last checkpoint; the result is the same to the last bit")
       ->type_name("DIR");
+  options().add_flag("--serve", serve_,
+                     "show the report in a browser on this machine while the run goes on, with a button that "
+                     "stops it; the address is printed");
+  options().add_option("--port", port_, "of --serve on 127.0.0.1 [any that is free]")->type_name("NUMBER");
   options().add_flag("--json", json_, "summary as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
@@ -103,6 +108,7 @@ std::vector<std::string> SimulateCommand::prepare(const std::vector<std::string>
 
 void SimulateCommand::check_options() const {
   const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
+  const char* asked = error != nullptr ? error : serve_ ? "--serve" : nullptr;
   const auto refuse = [](const char* option, const char* other) {
     throw Rejected(Exit::usage,
                    complaint(option, std::string("given with ") + other, "", "give one of the two"));
@@ -123,7 +129,16 @@ void SimulateCommand::check_options() const {
                       : print_scene_                           ? "--print-scene"
                       : !tolerance_.empty() && estimate_error_ ? "--estimate-error"
                                                                : nullptr;
-  if (error != nullptr && other != nullptr) refuse(error, other);
+  if (asked != nullptr && other != nullptr) refuse(asked, other);
+}
+
+/// Of the live view, where it was asked for; 0 = any that is free.
+std::optional<int> SimulateCommand::port() const {
+  if (!serve_ && !port_.empty())
+    throw Rejected(Exit::usage,
+                   complaint("--port", port_, "is for --serve, which is not given", "add --serve"));
+  if (!serve_) return std::nullopt;
+  return port_.empty() ? 0 : read_option("--port", port_, Integer<int>{{between(1, 65535), {}}});
 }
 
 double SimulateCommand::tolerance() const {
@@ -143,6 +158,7 @@ Exit SimulateCommand::run(Console& console) {
 }
 
 Exit SimulateCommand::begin(Console& console) {
+  const std::optional<int> port = this->port();
   const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
   RunRemarks remarks;
   remarks.estimate_error = estimate_error_;
@@ -175,15 +191,18 @@ Exit SimulateCommand::begin(Console& console) {
   }
   remarks.notes = job.notes;
   std::string toml = scene_text(job.settings, Extent::whole, folder.path());
-  return carry_out({std::move(job), folder.path(), std::move(toml), std::move(remarks), std::nullopt, json_},
-                   guard, console);
+  return carry_out(
+      {std::move(job), folder.path(), std::move(toml), std::move(remarks), std::nullopt, port, json_}, guard,
+      console);
 }
 
 Exit SimulateCommand::go_on(Console& console) {
   const std::optional<double> every = checkpoint_every();
+  const std::optional<int> port = this->port();
   std::optional<RunTask> task = task_that_goes_on(resume_, settings_.assignments(), console);
   if (!task) return Exit::ok;
   task->json = json_;
+  task->port = port;
   if (every) task->remarks.checkpoint_every = *every;
   const InterruptGuard guard;
   return carry_out(std::move(*task), guard, console);

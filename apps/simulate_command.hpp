@@ -20,6 +20,7 @@ class SimulateCommand : public Command {
   [[nodiscard]] std::optional<double> checkpoint_every() const;
   [[nodiscard]] Exit begin(Console& console);
   [[nodiscard]] Exit go_on(Console& console);
+  [[nodiscard]] std::optional<int> port() const;
 
   SettingOptions settings_;
   std::string input_;
@@ -31,6 +32,8 @@ class SimulateCommand : public Command {
   std::string tolerance_;
   std::string checkpoint_every_;
   std::string resume_;
+  bool serve_ = false;
+  std::string port_;
   bool json_ = false;
   bool quiet_ = false;
 };

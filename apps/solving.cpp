@@ -9,9 +9,9 @@ namespace app {
 Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard, mpm::RunHooks hooks,
               const mpm::Checkpoint* from) {
   ProgressLine line(console.err, scene, console.err_is_terminal && !console.quiet);
-  hooks.observer = [&](const mpm::Progress& progress) {
+  hooks.observer = [&, other = std::move(hooks.observer)](const mpm::Progress& progress) {
     line.show(progress);
-    return !guard.interrupted();
+    return (!other || other(progress)) && !guard.interrupted();
   };
   try {
     return {from != nullptr ? mpm::resume(scene, *from, hooks) : mpm::simulate(scene, hooks), {}};

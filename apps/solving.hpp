@@ -20,7 +20,8 @@ struct Outcome {
   }
 };
 
-/// @param hooks  without an observer.   @param from  where the run goes on; none = from its start.
+/// @param hooks  their observer, where there is one, is asked beside the guard.
+/// @param from  where the run goes on; none = from its start.
 [[nodiscard]] Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard,
                             mpm::RunHooks hooks = {}, const mpm::Checkpoint* from = nullptr);
 

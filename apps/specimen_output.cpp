@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "apps/complaint.hpp"
 #include "apps/specimen_report.hpp"

@@ -1,7 +1,7 @@
 /// What generate and convert leave: a specimen file or a label picture, and the figures of the specimen.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 /// The figures of a specimen, for people and for programs.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "specimen/grading.hpp"

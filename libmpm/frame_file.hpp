@@ -34,4 +34,12 @@ namespace mpm {
 /// @param scene  whose run it is; it names the phases.   @throws FileError.
 void write_frame(const std::string& path, const Frame& frame, const Scene& scene);
 
+/// The numbers of the points have 32 bits, as in the file.
+/// @throws FileError naming the file and what is wrong.
+[[nodiscard]] Frame read_frame(const std::string& path);
+
+/// When the frame was taken, without its points: to choose among many.   @throws FileError as read_frame
+/// does.
+[[nodiscard]] Frame read_frame_heading(const std::string& path);
+
 }  // namespace mpm

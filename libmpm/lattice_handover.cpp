@@ -198,8 +198,8 @@ MovingStart LatticeSolver<Real>::hand_over() {
 }
 
 template <class Real>
-void LatticeSolver<Real>::take_maps(Result& result) {
-  maps_.move_to(result);
+void LatticeSolver<Real>::copy_maps(Result& result) const {
+  maps_.copy_to(result);
 }
 
 template class LatticeSolver<float>;

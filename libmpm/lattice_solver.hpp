@@ -44,8 +44,8 @@ class LatticeSolver {
   /// The points as they are at the time of the last ledger; all of the frame but its row of the history.
   void fill(Frame& frame) const;
 
-  /// Failure maps so far, moved out.
-  void take_maps(Result& result);
+  /// Failure maps so far.
+  void copy_maps(Result& result) const;
 
   /// All that the next steps depend on, whatever the number of threads; for a solver that has taken a step.
   void save(ArchiveWriter& archive) const;

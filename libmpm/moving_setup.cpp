@@ -263,8 +263,8 @@ void MovingSolver<Real>::kick(const Kick& change) {
 }
 
 template <class Real>
-void MovingSolver<Real>::take_maps(Result& result) {
-  maps_.move_to(result);
+void MovingSolver<Real>::copy_maps(Result& result) const {
+  maps_.copy_to(result);
   const float nowhere = std::numeric_limits<float>::quiet_NaN();
   result.end_x.setConstant(scene_.labels.rows(), scene_.labels.cols(), nowhere);
   result.end_y = result.end_x;

@@ -50,8 +50,8 @@ class MovingSolver {
   /// The points as they are after the last step; all of the frame but its row of the history.
   void fill(Frame& frame) const;
 
-  /// Failure maps so far, moved out, and where the points are.
-  void take_maps(Result& result);
+  /// Failure maps so far, and where the points are.
+  void copy_maps(Result& result) const;
 
   /// All that the next steps depend on, whatever the number of threads; for a solver that has taken a step.
   void save(ArchiveWriter& archive) const;

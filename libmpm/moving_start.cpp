@@ -19,12 +19,12 @@ FailureMaps empty_maps(const Scene& scene, const Plan& plan) {
   return maps;
 }
 
-void FailureMaps::move_to(Result& result) {
-  result.failure_strain = std::move(failure_strain);
-  result.failure_mode = std::move(failure_mode);
-  result.crush_strain = std::move(crush_strain);
-  result.extra_failure_strain = std::move(extra_failure_strain);
-  result.extra_failure_mode = std::move(extra_failure_mode);
+void FailureMaps::copy_to(Result& result) const {
+  result.failure_strain = failure_strain;
+  result.failure_mode = failure_mode;
+  result.crush_strain = crush_strain;
+  result.extra_failure_strain = extra_failure_strain;
+  result.extra_failure_mode = extra_failure_mode;
 }
 
 void StartPoint::take(const PointState& state) {

@@ -45,7 +45,7 @@ struct FailureMaps {
   std::vector<float> extra_failure_strain;
   std::vector<std::uint8_t> extra_failure_mode;
 
-  void move_to(Result& result);
+  void copy_to(Result& result) const;
 };
 [[nodiscard]] FailureMaps empty_maps(const Scene& scene, const Plan& plan);
 

@@ -1,6 +1,5 @@
-#include <filesystem>
-
 #include "libmpm/error.hpp"
+#include "libmpm/hdf5_read.hpp"
 #include "libmpm/history_columns.hpp"
 #include "libmpm/result_file.hpp"
 #include "libmpm/result_file_hdf5.hpp"
@@ -10,82 +9,6 @@ namespace {
 
 using namespace hdf5;
 using namespace result_file;
-
-Handle open_result(const std::string& path) {
-  require(std::filesystem::is_regular_file(path), "there is no such file");
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-          "is no HDF5 file, or is cut short or damaged"};
-}
-
-Handle open_attribute(hid_t object, const char* name) {
-  return {H5Aopen(object, name, H5P_DEFAULT), H5Aclose, std::string("attribute ") + name + " is missing"};
-}
-
-void require_type(hid_t type, H5T_class_t kind, std::size_t size, const std::string& name) {
-  require(H5Tget_class(type) == kind && H5Tget_size(type) == size, name + " has a wrong type");
-}
-
-void require_scalar(hid_t attribute, const std::string& name) {
-  const Handle space(H5Aget_space(attribute), H5Sclose, name + " is damaged");
-  require(H5Sget_simple_extent_npoints(space) == 1, name + " must hold one value");
-}
-
-template <class T>
-T read_number(hid_t object, const char* name) {
-  const Handle attribute = open_attribute(object, name);
-  const Handle type(H5Aget_type(attribute), H5Tclose, std::string(name) + " is damaged");
-  require_type(type, Number<T>::kind, sizeof(T), std::string("attribute ") + name);
-  require_scalar(attribute, std::string("attribute ") + name);
-  T value{};
-  require(H5Aread(attribute, Number<T>::memory(), &value) >= 0, std::string(name) + " cannot be read");
-  return value;
-}
-
-std::string read_text(hid_t object, const char* name) {
-  const Handle attribute = open_attribute(object, name);
-  const Handle type(H5Aget_type(attribute), H5Tclose, std::string(name) + " is damaged");
-  require(H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0,
-          std::string("attribute ") + name + " has a wrong type");
-  require_scalar(attribute, std::string("attribute ") + name);
-  char* value = nullptr;
-  const Handle memory_type = text_type();
-  require(H5Aread(attribute, memory_type, &value) >= 0, std::string(name) + " cannot be read");
-  std::string text = value == nullptr ? "" : value;
-  H5free_memory(value);
-  return text;
-}
-
-std::vector<hsize_t> extent_of(hid_t dataset, std::size_t rank, const std::string& name) {
-  const Handle space(H5Dget_space(dataset), H5Sclose, name + " is damaged");
-  require(H5Sget_simple_extent_ndims(space) == static_cast<int>(rank), name + " has a wrong number of axes");
-  std::vector<hsize_t> extent(rank);
-  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
-  return extent;
-}
-
-/// An extent that a damaged file only claims would ask for any amount of memory; deflate packs at most
-/// 1032:1.
-void require_stored(hid_t dataset, const std::vector<hsize_t>& extent, std::size_t value_size,
-                    const std::string& name) {
-  double bytes = static_cast<double>(value_size);
-  for (const hsize_t side : extent) bytes *= static_cast<double>(side);
-  require(bytes <= 1100.0 * static_cast<double>(H5Dget_storage_size(dataset)),
-          name + " has an extent that its data do not fill");
-}
-
-/// @param allocate  given the extent, returns where to put the values.
-template <class T, class Allocate>
-void read_values(hid_t parent, const std::string& name, std::size_t rank, Allocate allocate) {
-  const Handle dataset(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose,
-                       "dataset " + name + " is missing");
-  const Handle type(H5Dget_type(dataset), H5Tclose, name + " is damaged");
-  require_type(type, Number<T>::kind, sizeof(T), "dataset " + name);
-  const std::vector<hsize_t> extent = extent_of(dataset, rank, "dataset " + name);
-  require_stored(dataset, extent, sizeof(T), "dataset " + name);
-  T* values = allocate(extent);
-  require(H5Dread(dataset, Number<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
-          "dataset " + name + " is damaged");
-}
 
 template <class T>
 Lattice<T> read_map(hid_t file, const std::string& name) {
@@ -112,7 +35,7 @@ void read_column(hid_t group, const HistoryColumn& column, T HistoryRow::*member
 }
 
 std::vector<HistoryRow> read_history(hid_t file) {
-  const Handle group(H5Gopen2(file, "history", H5P_DEFAULT), H5Gclose, "group history is missing");
+  const Handle group = open_group(file, "history");
   std::vector<HistoryRow> history;
   for (const HistoryColumn& column : history_columns())
     std::visit([&](auto member) { read_column(group, column, member, history); }, column.member);
@@ -174,7 +97,7 @@ void read_maps(hid_t file, Result& result) {
 }
 
 Handle open_and_check(const std::string& path) {
-  Handle file = open_result(path);
+  Handle file = open_file(path);
   require(H5Aexists(file, "format") > 0 && read_text(file, "format") == format_name,
           "is no result of mesopix");
   const auto version = read_number<std::int64_t>(file, "format_version");

@@ -55,13 +55,13 @@ class Run {
       HistoryRow row = history_row(scene_, ledger);
       row.moving_points = moving ? result_.points - ledger.left_points : 0;
       if (const std::string trouble = trouble_of(solver, moving, ledger, row); !trouble.empty()) {
-        finish(solver);
+        complete(result_, solver);
         throw Diverged(trouble, std::move(result_));
       }
       add_row(result_, row);
       frames_.offer(solver, share_done(scene_, row), result_.history.size() - 1);
       result_.nothing_carries = nothing_carries(ledger);
-      const bool goes_on = !hooks_.observer || hooks_.observer(progress(row));
+      const bool goes_on = !hooks_.observer || hooks_.observer(progress(solver, row));
       if (was_over || has_dropped(row)) {
         result_.stop = StopReason::drop;
         return false;
@@ -79,7 +79,7 @@ class Run {
   template <class Solver>
   [[nodiscard]] Result end(Solver& solver) {
     frames_.close(solver, result_.history.size() - 1);
-    finish(solver);
+    complete(result_, solver);
     return std::move(result_);
   }
 
@@ -91,15 +91,24 @@ class Run {
   }
   [[nodiscard]] double wall_time() const { return wall_time_before_ + seconds_since(start_); }
 
-  [[nodiscard]] Progress progress(const HistoryRow& row) const {
-    return {row, std::min(1.0, share_done(scene_, row)), wall_time()};
+  template <class Solver>
+  [[nodiscard]] Progress progress(const Solver& solver, const HistoryRow& row) const {
+    return {row, std::min(1.0, share_done(scene_, row)), wall_time(), [&] { return so_far(solver); }};
+  }
+
+  /// Adds what is not recorded row by row.
+  template <class Solver>
+  void complete(Result& result, const Solver& solver) const {
+    result.wall_time = wall_time();
+    solver.copy_maps(result);
+    close_ledger(result);
   }
 
   template <class Solver>
-  void finish(Solver& solver) {
-    result_.wall_time = wall_time();
-    solver.take_maps(result_);
-    close_ledger(result_);
+  [[nodiscard]] Result so_far(const Solver& solver) const {
+    Result copy = result_;
+    complete(copy, solver);
+    return copy;
   }
 
   [[nodiscard]] bool is_checkpoint_due() const {

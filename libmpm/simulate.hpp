@@ -19,6 +19,8 @@ struct Progress {
   const HistoryRow& row;
   double fraction = 0;   ///< of stop_strain that is done [-]
   double wall_time = 0;  ///< since the loop began, in all parts of the run [s]
+  /// A copy of the result up to this row, maps and figures included; to be called while the observer is.
+  std::function<Result()> so_far = {};
 };
 
 /// Returns false to end the run (StopReason::interrupted).

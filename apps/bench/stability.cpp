@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "apps/bench/stability_table.hpp"
-#include "apps/reproduce/job_pool.hpp"
+#include "apps/job_pool.hpp"
 
 namespace app::bench {
 namespace {
@@ -45,11 +45,11 @@ StabilityOutcome run_cases(const std::vector<const StabilityCase*>& cases, int w
   std::vector<std::function<void()>> jobs;
   for (std::size_t i = 0; i < cases.size(); ++i)
     jobs.emplace_back([&outcome, &cases, i] { run_case(*cases[i], outcome.rows[i]); });
-  const reproduce::Watch watch{[&](std::size_t done) {
-                                 if (progress) progress(done, cases.size());
-                               },
-                               go_on};
-  outcome.interrupted = reproduce::run_jobs(jobs, workers, watch) < jobs.size();
+  const Watch watch{[&](std::size_t done) {
+                      if (progress) progress(done, cases.size());
+                    },
+                    go_on};
+  outcome.interrupted = run_jobs(jobs, workers, watch) < jobs.size();
   outcome.wall_time = seconds_since(start);
   return outcome;
 }

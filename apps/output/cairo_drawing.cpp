@@ -63,6 +63,12 @@ struct Draw {
     cairo_new_path(pen);
   }
 
+  void operator()(const Area& area) const {
+    for (const Place& corner : area.corners) cairo_line_to(pen, corner.x, corner.y);
+    dip(pen, area.colour);
+    cairo_fill(pen);
+  }
+
   void operator()(const Pixels& pixels) const {
     const Surface surface = surface_of(pixels.picture);
     cairo_save(pen);

@@ -1,6 +1,7 @@
 #include "apps/output/chart_json.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace output {
 namespace {

@@ -1,7 +1,7 @@
 /// What the script of a page draws charts from.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

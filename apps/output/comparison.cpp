@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "apps/output/chart_json.hpp"
 #include "apps/output/key_figures.hpp"

@@ -8,11 +8,9 @@ namespace output {
 /// Whether the run says where its points are at the end.
 [[nodiscard]] bool has_end(const mpm::Result& result);
 
-/// Each pixel has the colour, failures included, of the point next to it, and that of void where none is
-/// within three quarters of a pixel along both axes: neighbours must part by half a pixel more before void
-/// shows between them. The picture holds the mask as it was and the points as they are, up to half its width
-/// and height beyond it; a point further away is not shown. With fineness 1 and points that have not moved it
-/// is the picture of damage at the end.
+/// Each pixel has the colour, failures included, of the point that nearest_points() gives it, and that of
+/// void where it gives none. With fineness 1 and points that have not moved it is the picture of damage at
+/// the end.
 /// @param fineness  pixels of the picture along an edge of a pixel of the mask, >= 1.
 /// @pre has_end(result), and the maps have the shape of the mask.
 [[nodiscard]] specimen::Raster<specimen::Rgb> deformed_picture(const specimen::LabelledMask& mask,

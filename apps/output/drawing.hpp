@@ -46,6 +46,12 @@ struct Block {
   bool outlined = false;  ///< with a thin line round it
 };
 
+/// A filled area within straight edges.
+struct Area {
+  std::vector<Place> corners;
+  specimen::Rgb colour;
+};
+
 /// A picture whose pixels stay squares.
 struct Pixels {
   Place corner;  ///< upper left
@@ -53,7 +59,7 @@ struct Pixels {
   specimen::Raster<specimen::Rgb> picture;
 };
 
-using Shape = std::variant<Stroke, Dot, Words, Block, Pixels>;
+using Shape = std::variant<Stroke, Dot, Words, Block, Area, Pixels>;
 
 struct Drawing {
   double width = 0;

@@ -22,14 +22,18 @@ std::string_view name_of(Anchor anchor) {
   return {};
 }
 
+std::string text_of(const std::vector<Place>& places) {
+  std::string text;
+  for (const Place& place : places)
+    text += fmt::format("{}{:.1f},{:.1f}", text.empty() ? "" : " ", place.x, place.y);
+  return text;
+}
+
 struct Element {
   std::string operator()(const Stroke& stroke) const {
-    std::string places;
-    for (const Place& place : stroke.places)
-      places += fmt::format("{}{:.1f},{:.1f}", places.empty() ? "" : " ", place.x, place.y);
     return fmt::format("<polyline class=\"stroke-{}\" stroke-width=\"{:.4g}\"{} points=\"{}\"/>\n",
                        output::name_of(stroke.ink), stroke.width,
-                       stroke.dashed ? " stroke-dasharray=\"6 4\"" : "", places);
+                       stroke.dashed ? " stroke-dasharray=\"6 4\"" : "", text_of(stroke.places));
   }
   std::string operator()(const Dot& dot) const {
     return fmt::format("<circle class=\"fill-{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.4g}\"/>\n",
@@ -46,6 +50,9 @@ struct Element {
     return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"{}/>\n",
                        block.corner.x, block.corner.y, block.width, block.height, hex(block.colour),
                        block.outlined ? " class=\"stroke-axis\" stroke-width=\"0.5\"" : "");
+  }
+  std::string operator()(const Area& area) const {
+    return fmt::format("<polygon points=\"{}\" fill=\"{}\"/>\n", text_of(area.corners), hex(area.colour));
   }
   std::string operator()(const Pixels& pixels) const {
     return fmt::format(

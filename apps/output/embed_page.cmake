@@ -1,5 +1,5 @@
 # The script and the style of the report page become part of the program: a page needs nothing beside itself.
-set(page_files vendor/uPlot.min.css vendor/uPlot.iife.min.js vendor/gifenc.js bytes.js charts.js film.js save.js report.js)
+set(page_files vendor/uPlot.min.css vendor/uPlot.iife.min.js vendor/gifenc.js bytes.js charts.js film.js save.js report.js watch.js)
 foreach(file ${page_files})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/output/page/${file})
   get_filename_component(name ${file} NAME_WE)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <vector>
 
@@ -83,22 +84,26 @@ bool has_film(const RunRecord& record) {
 
 Json film_data(const RunRecord& record) {
   const specimen::LabelledMask& mask = record.specimen.mask;
-  const mpm::Result& result = record.result;
   const Palette colour = colour_palette();
   const Palette grey = grey_palette();
   Json film = {{"rows", mask.labels.rows},
                {"cols", mask.labels.cols},
                {"pixel_mm", 1e3 * mask.pixel_size},
-               {"end_strain", result.history.back().strain},
                {"phases", phases_of(record, colour, grey)},
                {"tension", looks(colour.tension, grey.tension)},
                {"shear", looks(colour.shear, grey.shear)},
-               {"labels", deflated_base64(std::span<const std::uint8_t>(mask.labels.data))},
-               {"failure", packed(result.failure_strain)},
-               {"mode", packed(result.failure_mode)},
-               {"crush", result.crush_strain.size() > 0 ? packed(result.crush_strain) : Json(nullptr)}};
+               {"labels", deflated_base64(std::span<const std::uint8_t>(mask.labels.data))}};
+  film.update(film_growth(record));
   add_strengths(record, film);
   return film;
+}
+
+Json film_growth(const RunRecord& record) {
+  const mpm::Result& result = record.result;
+  return {{"end_strain", result.history.back().strain},
+          {"failure", packed(result.failure_strain)},
+          {"mode", packed(result.failure_mode)},
+          {"crush", result.crush_strain.size() > 0 ? packed(result.crush_strain) : Json(nullptr)}};
 }
 
 }  // namespace output

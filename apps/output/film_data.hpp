@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "apps/run_folder.hpp"
 
@@ -20,5 +20,8 @@ inline constexpr std::int64_t most_strength_pixels = 500'000;
 /// strength_unit: the factor on the strengths of the pixel; null where there is none), each of shape (rows,
 /// cols) from the top row down, deflated, as base64.   @pre has_film(record)
 [[nodiscard]] nlohmann::ordered_json film_data(const RunRecord& record);
+
+/// Of these what changes while a run goes on: end_strain, failure, mode, crush.   @pre has_film(record)
+[[nodiscard]] nlohmann::ordered_json film_growth(const RunRecord& record);
 
 }  // namespace output

@@ -12,20 +12,29 @@
 #include "apps/output/strain_unit.hpp"
 
 namespace output {
-std::string report_data(const RunRecord& record) {
-  using Json = nlohmann::ordered_json;
+
+using Json = nlohmann::ordered_json;
+
+Json strain_json(const RunRecord& record) {
   const StrainUnit unit = strain_unit(record.result);
-  Json charts;
-  charts["stress"] = chart_json(stress_chart(record), reference_series(record));
-  charts["energy"] = chart_json(energy_chart(record));
-  charts["failure"] = chart_json(failure_chart(record));
-  charts["failure-strain"] = chart_json(failure_strain_chart(record));
+  return {{"name", unit.name}, {"per_strain", unit.per_strain}};
+}
+
+Json charts_of_run(const RunRecord& record) {
+  return {{"stress", chart_json(stress_chart(record), reference_series(record))},
+          {"energy", chart_json(energy_chart(record))},
+          {"failure", chart_json(failure_chart(record))},
+          {"failure-strain", chart_json(failure_strain_chart(record))}};
+}
+
+std::string report_data(const RunRecord& record) {
+  Json charts = charts_of_run(record);
   charts["sieve"] = chart_json(sieve_chart(record.specimen), sieve_references(record.specimen));
-  const Json data = {{"strain", {{"name", unit.name}, {"per_strain", unit.per_strain}}},
-                     {"csv", deflated_base64(curve_csv(record.result.history))},
-                     {"charts", charts},
-                     {"film", has_film(record) ? film_data(record) : Json(nullptr)}};
-  return inert_text(data);
+  const Json csv = record.goes_on ? Json(nullptr) : Json(deflated_base64(curve_csv(record.result.history)));
+  return inert_text({{"strain", strain_json(record)},
+                     {"csv", csv},
+                     {"charts", std::move(charts)},
+                     {"film", has_film(record) ? film_data(record) : Json(nullptr)}});
 }
 
 }  // namespace output

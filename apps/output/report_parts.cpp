@@ -45,6 +45,20 @@ std::string digest_of(const std::string& script) {
   return "'sha256-" + base64(bytes) + "'";
 }
 
+/// @param more  a script that follows that of reports; may be empty.
+std::string scripted_page(const std::string& title, const std::string& policy, const std::string& html,
+                          const std::string& data, std::string_view more) {
+  const std::string script = script_text(
+      fmt::format("{}\nconst gifenc = (() => {{\nconst exports = {{}};\n{}\nreturn exports;\n}})();\n{}{}",
+                  chart_library(), animation_library(), report_script(), more));
+  return page_of(
+      title, fmt::format("{}; script-src {}", policy, digest_of(script)),
+      report_style() + std::string(chart_style()) + "\n",
+      fmt::format(
+          "{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n", html,
+          data, script));
+}
+
 }  // namespace
 
 std::string page(const std::string& title, const std::string& html) {
@@ -52,15 +66,16 @@ std::string page(const std::string& title, const std::string& html) {
 }
 
 std::string live_page(const std::string& title, const std::string& html, const std::string& data) {
-  const std::string script = script_text(
-      fmt::format("{}\nconst gifenc = (() => {{\nconst exports = {{}};\n{}\nreturn exports;\n}})();\n{}",
-                  chart_library(), animation_library(), report_script()));
-  return page_of(
-      title, fmt::format("{}; script-src {}", no_network, digest_of(script)),
-      report_style() + std::string(chart_style()) + "\n",
-      fmt::format(
-          "{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n", html,
-          data, script));
+  return scripted_page(title, no_network, html, data, "");
+}
+
+std::string watching_page(const std::string& title, const std::string& html, const std::string& data) {
+  return scripted_page(title, fmt::format("{}; connect-src 'self'", no_network), html, data,
+                       watching_script());
+}
+
+std::string part(const std::string& id, const std::string& html) {
+  return fmt::format("<div id=\"part-{}\">\n{}</div>\n", id, html);
 }
 
 std::string heading(const std::string& title, const std::string& setting) {
@@ -115,6 +130,13 @@ std::string chart_figure(const std::string& id, const Chart& chart, double width
 
 std::string chart_figure(const Chart& chart, double width, double height, const std::string& caption) {
   return chart_figure("", chart, width, height, caption);
+}
+
+std::string chart_place(const std::string& id, const std::string& caption) {
+  return fmt::format(
+      "<figure class=\"chart\" hidden=\"hidden\">\n<div class=\"live\" id=\"chart-{}\"></div>\n"
+      "<figcaption>{}</figcaption>\n</figure>\n",
+      id, escape(caption));
 }
 
 std::string image(const specimen::Raster<specimen::Rgb>& picture, const std::string& alternative,

@@ -25,6 +25,13 @@ struct Fact {
 [[nodiscard]] std::string live_page(const std::string& title, const std::string& html,
                                     const std::string& data);
 
+/// The same, which asks the server that it came from, and no other, how the run goes on.
+[[nodiscard]] std::string watching_page(const std::string& title, const std::string& html,
+                                        const std::string& data);
+
+/// A piece of a page that a script may replace.
+[[nodiscard]] std::string part(const std::string& id, const std::string& html);
+
 /// Title of the page and a line below it.
 [[nodiscard]] std::string heading(const std::string& title, const std::string& setting);
 [[nodiscard]] std::string section(const std::string& heading, const std::string& html);
@@ -49,6 +56,9 @@ struct Fact {
                                        const std::string& caption);
 [[nodiscard]] std::string chart_figure(const Chart& chart, double width, double height,
                                        const std::string& caption);
+
+/// Where the script of a live page may draw a chart for which there is nothing yet.
+[[nodiscard]] std::string chart_place(const std::string& id, const std::string& caption);
 
 /// An embedded picture, shown at a whole number of screen pixels per picture pixel where it is small enough.
 [[nodiscard]] std::string image(const specimen::Raster<specimen::Rgb>& picture,

@@ -33,24 +33,29 @@ std::vector<Fact> failure_facts(const mpm::Result& result) {
           {"Failures in shear", grouped(result.shear_failures), "points"}};
 }
 
-std::vector<Fact> strength_facts(const mpm::Result& result, const mpm::HistoryRow& end) {
+/// What the last row of the history stands for.
+std::string when(const RunRecord& record) { return record.goes_on ? " now" : " at the end"; }
+
+std::vector<Fact> strength_facts(const RunRecord& record, const mpm::HistoryRow& end) {
+  const mpm::Result& result = record.result;
   const StrainUnit unit = strain_unit(result);
   return {{"Peak stress", rounded(1e-6 * result.peak_stress), "MPa"},
           {"Strain at the peak", rounded(unit.per_strain * result.peak_strain), unit.name},
           {"Secant modulus at 40 %", rounded(1e-9 * secant_modulus(result)), "GPa"},
-          {"Stress at the end", rounded(1e-6 * end.stress), "MPa"},
-          {"Strain at the end", rounded(unit.per_strain * end.strain), unit.name},
+          {"Stress" + when(record), rounded(1e-6 * end.stress), "MPa"},
+          {"Strain" + when(record), rounded(unit.per_strain * end.strain), unit.name},
           {"Work of the platens", rounded(end.platen_work), "J/m"}};
 }
 
-std::vector<Fact> flight_facts(const mpm::Result& result, const mpm::HistoryRow& end) {
+std::vector<Fact> flight_facts(const RunRecord& record, const mpm::HistoryRow& end) {
+  const mpm::Result& result = record.result;
   const StrainUnit unit = strain_unit(result);
   const double at_start = result.history.empty() ? 0 : result.history.front().kinetic;
   return {{"Peak stress on the walls", rounded(1e-6 * result.peak_stress), "MPa"},
           {"Nominal strain at the peak", rounded(unit.per_strain * result.peak_strain), unit.name},
-          {"Time at the end", rounded(1e3 * end.time), "ms"},
+          {"Time" + when(record), rounded(1e3 * end.time), "ms"},
           {"Kinetic energy at the start", rounded(at_start), "J/m"},
-          {"Kinetic energy at the end", rounded(end.kinetic), "J/m"}};
+          {"Kinetic energy" + when(record), rounded(end.kinetic), "J/m"}};
 }
 
 /// Row of the history from which on points move; nullptr = they never do.
@@ -77,7 +82,7 @@ std::vector<Fact> run_facts(const RunRecord& record) {
   const mpm::Result& result = record.result;
   const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
   std::vector<Fact> facts =
-      has_platens(record.scene) ? strength_facts(result, end) : flight_facts(result, end);
+      has_platens(record.scene) ? strength_facts(record, end) : flight_facts(record, end);
   for (const std::vector<Fact>& more : {failure_facts(result), motion_facts(record, end)})
     facts.insert(facts.end(), more.begin(), more.end());
   return facts;
@@ -130,20 +135,6 @@ std::vector<std::string> failure_row(const FailureCount& count, bool with_crushe
   return row;
 }
 
-std::string failure_table_html(const RunRecord& record) {
-  const bool with_crushed = record.result.crush_strain.size() > 0;
-  std::vector<std::string> head{"Phase", "Points", "Tension", "Shear"};
-  if (with_crushed) head.emplace_back("Crushed later");
-  head.insert(head.end(), {"Intact", "Failed"});
-  std::vector<std::vector<std::string>> rows;
-  const std::vector<FailureCount> by_phase = failures_by_phase(record);
-  for (const FailureCount& count : by_phase)
-    if (count.phase != "void") rows.push_back(failure_row(count, with_crushed));
-  if (!record.scene.extra_points.empty())
-    rows.push_back(failure_row(failures_of_extra_points(record, by_phase), with_crushed));
-  return number_table(head, rows);
-}
-
 std::vector<Fact> solution_facts(const RunRecord& record) {
   const mpm::Result& result = record.result;
   return {{"Material points", grouped(result.points), "points"},
@@ -158,12 +149,13 @@ std::vector<Fact> solution_facts(const RunRecord& record) {
 
 std::vector<Fact> provenance_facts(const RunRecord& record) {
   const specimen::Provenance& provenance = record.specimen.provenance;
-  std::vector<Fact> facts{
-      {"Ended because", phrase_of(record.result.stop)},
-      {"Program", "mesopix " + version()},
-      {"Kinematics", name_of_kinematics(record.scene)},
-      {"Arithmetic", word_of(record.scene.precision) + " precision, " + record.result.instruction_set},
-      {"Specimen", provenance.source}};
+  std::vector<Fact> facts;
+  if (!record.goes_on) facts.push_back({"Ended because", phrase_of(record.result.stop)});
+  facts.insert(facts.end(), {{"Program", "mesopix " + version()},
+                             {"Kinematics", name_of_kinematics(record.scene)},
+                             {"Arithmetic", word_of(record.scene.precision) + " precision, " +
+                                                record.result.instruction_set},
+                             {"Specimen", provenance.source}});
   if (!provenance.version.empty()) facts.push_back({"Specimen made by", "mesopix " + provenance.version});
   if (!provenance.sha256.empty()) facts.push_back({"Source SHA-256", provenance.sha256});
   if (provenance.seed != 0) facts.push_back({"Aggregate seed", std::to_string(provenance.seed)});
@@ -195,11 +187,13 @@ std::string notes_section(const RunRecord& record) {
   return section("Notes", html + "</ul>\n");
 }
 
+std::string facts_part(const RunRecord& record) { return facts_table(run_facts(record)); }
+
 std::string curve_section(const RunRecord& record) {
   return section("Stress and strain", side_by_side("lead",
                                                    chart_figure("stress", stress_chart(record), 590, 400,
                                                                 meaning_of_curve(record.scene)),
-                                                   facts_table(run_facts(record))));
+                                                   part("facts", facts_part(record))));
 }
 
 std::string specimen_section(const RunRecord& record) {
@@ -220,12 +214,31 @@ std::string ledger_section(const RunRecord& record) {
   const Chart strains = failure_strain_chart(record);
   if (!strains.series.empty())
     html += chart_figure("failure-strain", strains, 590, 300, "How many pixels failed at which strain.");
-  return section("Energies and failures", html + failure_table_html(record));
+  else if (record.goes_on)
+    html += chart_place("failure-strain", "How many pixels failed at which strain.");
+  return section("Energies and failures", html + part("failures", failures_part(record)));
+}
+
+std::string failures_part(const RunRecord& record) {
+  const bool with_crushed = record.result.crush_strain.size() > 0;
+  std::vector<std::string> head{"Phase", "Points", "Tension", "Shear"};
+  if (with_crushed) head.emplace_back("Crushed later");
+  head.insert(head.end(), {"Intact", "Failed"});
+  std::vector<std::vector<std::string>> rows;
+  const std::vector<FailureCount> by_phase = failures_by_phase(record);
+  for (const FailureCount& count : by_phase)
+    if (count.phase != "void") rows.push_back(failure_row(count, with_crushed));
+  if (!record.scene.extra_points.empty())
+    rows.push_back(failure_row(failures_of_extra_points(record, by_phase), with_crushed));
+  return number_table(head, rows);
 }
 
 std::string solution_section(const RunRecord& record) {
-  return section("Solution and provenance", side_by_side("even", facts_table(solution_facts(record)),
-                                                         facts_table(provenance_facts(record))));
+  return section("Solution and provenance", part("solution", solution_part(record)));
+}
+
+std::string solution_part(const RunRecord& record) {
+  return side_by_side("even", facts_table(solution_facts(record)), facts_table(provenance_facts(record)));
 }
 
 std::string scene_section(const RunRecord& record) {

@@ -22,6 +22,11 @@ namespace output {
 [[nodiscard]] std::string citation_section(const RunRecord& record);
 
 /// The user's title, or one made from the setting.
+/// What changes in them while a run goes on: the parts of that name.
+[[nodiscard]] std::string facts_part(const RunRecord& record);     ///< of curve_section
+[[nodiscard]] std::string failures_part(const RunRecord& record);  ///< of ledger_section
+[[nodiscard]] std::string solution_part(const RunRecord& record);  ///< of solution_section
+
 [[nodiscard]] std::string title_of(const RunRecord& record);
 
 }  // namespace output

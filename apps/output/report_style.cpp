@@ -89,6 +89,14 @@ img.pixels { image-rendering: pixelated; }
 .controls button:focus-visible, .controls select:focus-visible { outline: 2px solid var(--first); outline-offset: 2px; }
 .readout { margin: 10px 0 0; min-height: 1.55em; max-width: none; font-size: 14px; color: var(--muted); font-variant-numeric: tabular-nums; }
 #film-readout { min-height: 6.2em; color: var(--text); }
+.watch { position: sticky; top: 0; z-index: 2; display: flex; flex-wrap: wrap; align-items: center; gap: 6px 14px; margin: 20px 0 0;
+  padding: 10px 14px; background: var(--panel); border: 1px solid var(--rule); border-radius: 8px; font-size: 15px; font-variant-numeric: tabular-nums; }
+.watch progress { flex: 1 1 8em; accent-color: var(--first); }
+.watch span { flex: 4 1 20em; white-space: pre-wrap; }
+html:has(.watch) { scroll-padding-top: 80px; }
+.watch button { font: inherit; color: var(--paper); background: var(--second); border: 0; border-radius: 6px; padding: 5px 14px; cursor: pointer; }
+.watch button:disabled { opacity: 0.5; cursor: default; }
+.watch button:focus-visible { outline: 2px solid var(--first); outline-offset: 2px; }
 details { margin: 0 0 12px; }
 summary { cursor: pointer; padding: 4px 0; }
 pre { margin: 6px 0 0; padding: 14px 16px; overflow-x: auto; background: var(--panel); border-radius: 6px;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/output/text.hpp"
+
 namespace output {
 
 StrainUnit strain_unit(double largest_strain) {
@@ -15,6 +17,14 @@ StrainUnit strain_unit(const mpm::Result& result) {
   for (const mpm::HistoryRow& row : result.history)
     if (std::isfinite(row.strain)) largest = std::max(largest, row.strain);
   return strain_unit(largest);
+}
+
+std::string strain_words(const mpm::Result& result, double strain, int decimals) {
+  const StrainUnit unit = strain_unit(result);
+  std::string words = rounded(unit.per_strain * strain) + " " + unit.name;
+  if (result.peak_strain > 0)
+    words += ", " + percent(strain / result.peak_strain, decimals) + " of the peak strain";
+  return words;
 }
 
 }  // namespace output

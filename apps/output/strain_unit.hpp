@@ -18,4 +18,8 @@ struct StrainUnit {
 /// For all strains of a run: that of the largest one.
 [[nodiscard]] StrainUnit strain_unit(const mpm::Result& result);
 
+/// "118 microstrain, 82 % of the peak strain"; without the share where the run has no peak.
+/// @param decimals  of the share.
+[[nodiscard]] std::string strain_words(const mpm::Result& result, double strain, int decimals);
+
 }  // namespace output

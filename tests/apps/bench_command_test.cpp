@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "apps/program.hpp"
+#include "apps/evidence_commands.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace {
@@ -24,7 +24,7 @@ class BenchCommand : public testing::Test {
     err_.str("");
     arguments.insert(arguments.begin(), "bench");
     app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console);
+    return app::run_program(arguments, console, app::evidence_commands());
   }
 
   void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) {

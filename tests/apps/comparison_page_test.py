@@ -21,7 +21,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         page = pathlib.Path(scratch) / "comparison.html"
         subprocess.run([mesopix, "report", *folders, "-o", str(page)], check=True)
-        browser = Browser(page, pathlib.Path(scratch))
+        browser = Browser(page.as_uri(), pathlib.Path(scratch))
         try:
             rows = browser.driver.find_elements(By.CSS_SELECTOR, "table.numbers tr")
             first = next(row.text for row in rows if row.text.startswith("Peak stress"))

@@ -160,36 +160,12 @@ same flight/curve.csv flight_again/curve.csv
 same flight/deformed.png flight_again/deformed.png
 same flight/scene.toml flight_again/scene.toml
 
-# The paper's figures: one of them, what is no figure, and the scenes for simulate.
-expect 0 reproduce --figure 3 -o paper
-is_empty out
-has err "wrote paper"
-python3 -c 'import json, xml.dom.minidom as x; json.load(open("paper/reproduction.json")); x.parse("paper/report.html")' ||
-  fail "report or numbers of a reproduction cannot be read"
-expect 64 reproduce --figure 99
-has err "mesopix: --figure: 99; must be 1, 2, 3"
-for scene in "$data"/paper/*.toml; do expect 0 simulate "$scene" --print-scene; done
-"$mesopix" reproduce --figure 5 -o stopped_paper 2>err &
-process=$!
-sleep 1.5
-kill -INT "$process"
-wait "$process"
-code=$?
-[ "$code" -eq 75 ] || fail "a reproduction interrupted with exit code $code, not 75: $(cat err)"
-has stopped_paper/report.html "It was interrupted before the runs of these were done: Figure 5."
-
-# How wrong a run may be, and how exact the program is for its time.
+# How wrong a run may be.
 expect 0 simulate specimen.h5 --estimate-error -o estimated --stop-strain 2.5e-4
 has err "the peak stress may be wrong by"
 has estimated/report.html "How wrong the peak may be"
 python3 -c 'import json; assert len(json.load(open("estimated/summary.json"))["error_estimate"]["sources"]) == 4' ||
   fail "the summary holds no estimate of the error"
-expect 0 bench error --problem layers -o errors
-has out "layers"
-for file in error.csv error_vs_time.html layers.png; do exists errors/$file; done
-python3 -c 'import xml.dom.minidom as x; x.parse("errors/error_vs_time.html")' || fail "the page of errors cannot be read"
-expect 64 bench error --problem layer
-has err "did you mean layers?"
 
 # Physics gone wrong ends with the exit code for bad data, and keeps what was computed.
 # Pixels alone in their cells beside a block of mortar bear no such step.

@@ -1,5 +1,7 @@
 #include "apps/explanation.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

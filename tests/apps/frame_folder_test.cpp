@@ -101,6 +101,17 @@ TEST_F(FrameFolder, IsGoneWhenTheNextRunHasNoFrames) {
   EXPECT_TRUE(names().empty());
 }
 
+TEST_F(FrameFolder, ListsTheFramesOfARunByTheirNumber) {
+  EXPECT_TRUE(app::frames_of(run_).empty());
+  write(3);
+  const fs::path frames = run_ / "frames";
+  for (const char* name : {"p_1000000.hdf", "p_000010.hdf", "p_notes.txt", "p_999999.hdf"})
+    test::write_text((frames / name).string(), "");
+  EXPECT_THAT(app::frames_of(run_), testing::ElementsAre(frames / "p_000000.hdf", frames / "p_000001.hdf",
+                                                         frames / "p_000002.hdf", frames / "p_000010.hdf",
+                                                         frames / "p_999999.hdf", frames / "p_1000000.hdf"));
+}
+
 TEST_F(FrameFolder, NamesWhatCannotBeMadeOrRemoved) {
   const auto message = [&](const fs::path& path, const auto& act) {
     try {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "apps/program.hpp"
@@ -25,7 +26,7 @@ class PlotCommand : public testing::Test {
         "scene.toml",
         "[generate]\nwidth = \"20 mm\"\nheight = \"20 mm\"\npixel_size = \"1 mm\"\nfraction = 0.3\n"
         "d_min = \"4 mm\"\nd_max = \"8 mm\"\n[loading]\nstop_strain = 20e-6\n");
-    ASSERT_EQ(call({"simulate", "scene.toml", "-o", "run"}), Exit::ok) << err_.str();
+    ASSERT_EQ(call({"simulate", "scene.toml", "-o", "run", "--frames", "4"}), Exit::ok) << err_.str();
   }
   void TearDown() override { fs::current_path(before_); }
 
@@ -73,6 +74,36 @@ TEST_F(PlotCommand, OptionsChangeThePicture) {
   EXPECT_EQ(drawn({"--at", "50 %peak"}), drawn({"--at", "0.5peak"}));
 }
 
+TEST_F(PlotCommand, DrawsTheStressOfAFrame) {
+  const auto drawn = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"plot", "run", "--what", "stress", "-o", "one.png"});
+    EXPECT_EQ(call(options), Exit::ok) << err_.str();
+    return content("one.png");
+  };
+  const std::string first = drawn({});
+  EXPECT_THAT(first, StartsWith("\x89PNG"));
+  EXPECT_THAT(out_.str() + err_.str(), HasSubstr("wrote one.png: p_00000"));
+  EXPECT_EQ(drawn({"--component", "yy", "--range", "auto", "--at", "100%peak"}), first);
+  std::set<std::string> all{first};
+  for (const char* component : {"xx", "xy", "first", "third", "mises"})
+    EXPECT_TRUE(all.insert(drawn({"--component", component})).second) << component;
+  EXPECT_TRUE(all.insert(drawn({"--range", "-5:5 MPa"})).second);
+  EXPECT_TRUE(all.insert(drawn({"--at", "10e-6"})).second);
+  EXPECT_THAT(out_.str() + err_.str(), HasSubstr("p_000002.hdf, at 10.3 microstrain"));
+}
+
+TEST_F(PlotCommand, RefusesOptionsThatWouldChangeNothing) {
+  const auto refusal = [&](const char* what, const char* option, const char* value) {
+    EXPECT_EQ(call({"plot", "run", "--what", what, option, value}), Exit::usage);
+    return err_.str();
+  };
+  EXPECT_THAT(refusal("damage", "--component", "yy"),
+              HasSubstr("--component: yy; changes nothing of --what damage; is for stress"));
+  EXPECT_THAT(refusal("damage", "--range", "auto"), HasSubstr("is for stress"));
+  EXPECT_THAT(refusal("stress", "--look", "grey"), HasSubstr("is for damage"));
+  EXPECT_THAT(refusal("curve", "--at", "1e-5"), HasSubstr("is for damage or stress"));
+}
+
 TEST_F(PlotCommand, RefusesWhatItCannotDraw) {
   const auto refusal = [&](std::vector<std::string> options, Exit code) {
     options.insert(options.begin(), "plot");
@@ -84,10 +115,23 @@ TEST_F(PlotCommand, RefusesWhatItCannotDraw) {
               HasSubstr("--at: 30e-6; must be from 0 to 20.0 microstrain, where the run ended"));
   EXPECT_THAT(refusal({"run", "--at", "-1e-6"}, Exit::data), HasSubstr("must be from 0"));
   EXPECT_THAT(refusal({"run", "--at", "soon"}, Exit::usage), HasSubstr("--at: soon"));
-  EXPECT_THAT(refusal({"run", "--what", "stress"}, Exit::usage), HasSubstr("must be damage or curve"));
+  EXPECT_THAT(refusal({"run", "--what", "strain"}, Exit::usage),
+              HasSubstr("must be damage, stress or curve"));
+  EXPECT_THAT(refusal({"run", "--what", "stress", "--component", "zz"}, Exit::usage),
+              HasSubstr("--component: zz; must be yy, xx, xy, first, third or mises"));
+  EXPECT_THAT(refusal({"run", "--what", "stress", "--range", "high"}, Exit::usage),
+              HasSubstr("--range: high"));
+  EXPECT_THAT(refusal({"run", "--what", "stress", "--at", "30e-6"}, Exit::data),
+              HasSubstr("where the run ended"));
   EXPECT_THAT(refusal({"run", "--look", "red"}, Exit::usage), HasSubstr("must be grey or colour"));
   EXPECT_THAT(refusal({"run", "-o", "a.gif"}, Exit::usage), HasSubstr("must be .png, .svg or .pdf"));
   EXPECT_THAT(refusal({"nowhere"}, Exit::io), HasSubstr("nowhere"));
+  test::write_text("run/frames/p_000000.hdf", "no frame");
+  EXPECT_THAT(refusal({"run", "--what", "stress"}, Exit::io),
+              HasSubstr("frames/p_000000.hdf: is no HDF5 file, or is cut short or damaged"));
+  fs::remove_all("run/frames");
+  EXPECT_THAT(refusal({"run", "--what", "stress"}, Exit::data),
+              HasSubstr("RUN: run; has no frames, which hold the stress; run it again with --frames 40"));
 }
 
 }  // namespace

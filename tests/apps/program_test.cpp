@@ -62,10 +62,10 @@ TEST_F(Program, TellsItsVersion) {
 TEST_F(Program, HelpNamesEveryCommandWithAnExample) {
   EXPECT_EQ(run({"--help"}), Exit::ok);
   for (const char* command :
-       {"generate", "convert", "simulate", "calibrate", "inspect", "export", "reproduce", "bench"})
+       {"generate", "convert", "simulate", "calibrate", "inspect", "report", "plot", "export"})
     EXPECT_THAT(out_.str(), HasSubstr(command));
   for (const std::string command :
-       {"generate", "convert", "simulate", "calibrate", "inspect", "export", "reproduce", "bench"}) {
+       {"generate", "convert", "simulate", "calibrate", "inspect", "report", "plot", "export"}) {
     EXPECT_EQ(run({command, "--help"}), Exit::ok);
     EXPECT_THAT(out_.str(), HasSubstr("Usage: mesopix " + command));
     EXPECT_THAT(out_.str(), HasSubstr("Example"));
@@ -81,15 +81,11 @@ TEST_F(Program, WithoutArgumentsHelpsAndFails) {
 TEST_F(Program, RefusesWhatItDoesNotKnow) {
   expect_refusal(
       {"simulte"}, Exit::usage,
-      "simulte: unknown command; must be generate, convert, simulate, calibrate, inspect, report, plot, "
-      "export, reproduce or bench; did "
-      "you mean simulate?");
+      "simulte: unknown command; must be generate, convert, simulate, calibrate, inspect, report, plot "
+      "or export; did you mean simulate?");
   expect_refusal({"--json"}, Exit::usage,
                  "--json: is no command; must be generate, convert, simulate, calibrate, inspect, report, "
-                 "plot, export, reproduce "
-                 "or bench; mesopix "
-                 "--help tells what they "
-                 "do");
+                 "plot or export; mesopix --help tells what they do");
   expect_refusal({"generate", "--widht", "3 mm"}, Exit::usage,
                  "--widht: unknown option; did you mean --width?; mesopix generate --help lists them");
   expect_refusal({"generate", "--width"}, Exit::usage,
@@ -320,27 +316,6 @@ TEST_F(Program, ConvertNeverOverwritesItsPicture) {
                  "-o: a_preview.png; would overwrite a_preview.png; choose another name");
   expect_refusal({"convert", "a_preview.png", "-o", "a.h5"}, Exit::usage,
                  "-o: a.h5; would overwrite a_preview.png; choose another name");
-}
-
-TEST_F(Program, ReproducesOneFigureOfThePaper) {
-  EXPECT_EQ(run({"reproduce", "--figure", "3", "-o", "paper"}), Exit::ok) << err_.str();
-  EXPECT_THAT(err_.str(),
-              HasSubstr("figure  3, agrees   : The strengths of the points follow a Weibull distribution."));
-  EXPECT_TRUE(fs::exists("paper/report.html"));
-  EXPECT_EQ(json::parse(test::read_text("paper/reproduction.json"))["figures"].size(), 1U);
-  EXPECT_EQ(run({"reproduce", "--figure", "3", "-o", "paper"}), Exit::usage);
-  EXPECT_EQ(run({"reproduce", "--figure", "3", "-o", "paper", "--overwrite", "-q"}), Exit::ok);
-  EXPECT_EQ(err_.str(), "");
-}
-
-TEST_F(Program, RefusesFiguresThatThePaperHasNot) {
-  expect_refusal({"reproduce", "--figure", "3", "--figure", "99"}, Exit::usage,
-                 "--figure: 99; must be 1, 2, 3, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 or objectivity; leave it "
-                 "out, or give "
-                 "--all, for all of them");
-  expect_refusal({"reproduce", "--figure", "3", "--all"}, Exit::usage,
-                 "--all: given with --figure; give one of the two");
-  EXPECT_FALSE(fs::exists("runs"));
 }
 
 }  // namespace

@@ -20,7 +20,9 @@ from selenium.webdriver.common.keys import Keys
 
 
 class Browser:
-    def __init__(self, page, downloads):
+    """Chromium with a page, at an address, that has come to life."""
+
+    def __init__(self, address, downloads):
         options = webdriver.ChromeOptions()
         options.binary_location = "/usr/bin/chromium"
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--lang=en"):
@@ -31,7 +33,7 @@ class Browser:
         self.downloads = downloads
         self.driver.execute_cdp_cmd("Page.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(downloads)})
         self.resize(1100)
-        self.driver.get(page.as_uri())
+        self.driver.get(address)
         self.wait("document.documentElement.dataset.alive === 'yes'")
 
     def resize(self, width):
@@ -230,7 +232,7 @@ def main():
     with h5py.File(folder / "result.h5") as result:
         film = {name: result[name][()] for name in ("failure_strain", "failure_mode")}
     with tempfile.TemporaryDirectory() as downloads:
-        browser = Browser(page, pathlib.Path(downloads))
+        browser = Browser(page.as_uri(), pathlib.Path(downloads))
         try:
             data = browser.run("JSON.parse(document.getElementById('data').textContent)")
             print(f"{page.stat().st_size / 1e6:.2f} MB, alive after {browser.run('performance.now()') / 1e3:.2f} s")

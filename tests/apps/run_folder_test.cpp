@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -118,6 +119,13 @@ TEST_F(RunFolder, LeavesNoPictureOfAnEarlierRunBehind) {
   EXPECT_FALSE(names().contains("damage_150_colour.png"));
   EXPECT_TRUE(names().contains("damage_050.png"));
   EXPECT_TRUE(names().contains("damage_notes.txt"));
+}
+
+TEST_F(RunFolder, LeavesNoMapThatWasExportedFromAnEarlierRunBehind) {
+  for (const char* name : {"damage.tif", "failure_strain.tif"}) std::ofstream(folder_ / name) << "of before";
+  write_run(folder_, tension_run(30).record());
+  EXPECT_FALSE(names().contains("damage.tif"));
+  EXPECT_FALSE(names().contains("failure_strain.tif"));
 }
 
 TEST_F(RunFolder, HoldsTheEndOfMovingPointsAndNoneOfAnEarlierRun) {

@@ -50,6 +50,13 @@ class SimulateCommand : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(SimulateCommand, SaysWhereTheRunCanBeWatched) {
+  ASSERT_EQ(run({"scene.toml", "--serve", "-q", "-o", "run"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(),
+              testing::ContainsRegex("^watch the run at http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n$"));
+  EXPECT_TRUE(fs::exists("run/report.html"));
+}
+
 TEST_F(SimulateCommand, EstimatesTheErrorOfItsPeak) {
   ASSERT_EQ(run({"scene.toml", "--estimate-error", "-o", "run"}), Exit::ok) << err_.str();
   EXPECT_THAT(err_.str(), HasSubstr("the peak stress may be wrong by "));
@@ -107,11 +114,17 @@ TEST_F(SimulateCommand, SaysWhenNothingCarriesLoadAnyMore) {
 }
 
 TEST_F(SimulateCommand, RefusesWhatDoesNotGoTogether) {
+  expect_refusal({"scene.toml", "--port", "8080"}, Exit::usage,
+                 "--port: 8080; is for --serve, which is not given; add --serve");
+  expect_refusal({"scene.toml", "--serve", "--port", "70000"}, Exit::usage,
+                 "--port: 70000; must lie in [1, 65535]");
   expect_refusal({"scene.toml", "--tolerance", "1"}, Exit::usage, "--tolerance: 1; must lie in (0, 1)");
   expect_refusal({"scene.toml", "--tolerance", "1 %", "--estimate-error"}, Exit::usage,
                  "--tolerance: given with --estimate-error; give one of the two");
   expect_refusal({"scene.toml", "--explain", "--estimate-error"}, Exit::usage,
                  "--estimate-error: given with --explain; give one of the two");
+  expect_refusal({"scene.toml", "--explain", "--serve"}, Exit::usage,
+                 "--serve: given with --explain; give one of the two");
   expect_refusal({"scene.toml", "--print-scene", "--tolerance", "1 %"}, Exit::usage,
                  "--tolerance: given with --print-scene; give one of the two");
   expect_refusal({"scene.toml", "--estimate-error", "--kinematics", "moving", "--direction", "none",

@@ -126,6 +126,17 @@ TEST_F(ResultFileRead, RefusesAnExtentWithoutData) {
   EXPECT_THAT(complaint(), HasSubstr("dataset failure_strain has an extent that its data do not fill"));
 }
 
+TEST_F(ResultFileRead, FollowsNoLinks) {
+  for (const char* name : {"history", "failure_mode"}) {
+    mpm::write_result(path_, odd_result(), "");
+    damage([&](hid_t file) {
+      H5Lmove(file, name, file, "elsewhere", H5P_DEFAULT, H5P_DEFAULT);
+      H5Lcreate_soft("/elsewhere", file, name, H5P_DEFAULT, H5P_DEFAULT);
+    });
+    EXPECT_THAT(complaint(), HasSubstr(std::string(name) + " is a link, and no part of the file itself"));
+  }
+}
+
 TEST_F(ResultFileRead, NoticesAFlippedBitInAMap) {
   mpm::Result result = odd_result();
   result.failure_strain = mpm::Lattice<float>::Random(400, 400);  // fills the greater part of the file

@@ -364,6 +364,28 @@ TEST(Stop, WhenTheObserverAsks) {
   EXPECT_EQ(result.history.size(), 8U);
 }
 
+// What an observer copies in the middle is what a run that ends there leaves behind.
+TEST(Stop, LeavesWhatWasSoFar) {
+  Scene scene = samples::pulled(samples::small_concrete(40, 40));
+  for (const mpm::Kinematics kinematics : {mpm::Kinematics::small_strain, mpm::Kinematics::moving}) {
+    scene.kinematics = kinematics;
+    const std::size_t rows = kinematics == mpm::Kinematics::moving ? 90 : 150;
+    Result copy;
+    const Result result = mpm::simulate(scene, [&](const mpm::Progress& progress) {
+      copy = progress.so_far();
+      return copy.history.size() < rows;
+    });
+    ASSERT_EQ(copy.history.size(), rows);
+    EXPECT_EQ(result.history.back().stress, copy.history.back().stress);
+    EXPECT_EQ(result.steps, copy.steps);
+    EXPECT_EQ(result.energy_error, copy.energy_error);
+    EXPECT_GT((copy.failure_mode.cast<int>() != 0).count(), 0) << "nothing failed, nothing is compared";
+    EXPECT_TRUE((result.failure_mode == copy.failure_mode).all());
+    ASSERT_EQ(result.end_x.size(), copy.end_x.size());
+    EXPECT_TRUE((result.end_x == copy.end_x).all());
+  }
+}
+
 TEST(Stop, AtTheStrainAskedFor) {
   Scene scene = samples::pulled(samples::small_concrete(20, 20));
   scene.history_rows = 170;  // no whole number of them makes the steps

@@ -15,19 +15,53 @@ class LiveChart {
   /** @param moment  {strain in the unit of the axis, or null}: drawn as an upright line.
    *  @param pick  called with the x that the reader clicks on; null = clicks do nothing. */
   constructor(id, chart, moment, pick) {
+    this.id = id;
     this.place = document.getElementById("chart-" + id);
-    this.chart = chart;
     this.moment = moment;
     this.pick = pick;
     this.shown = new Set();
+    this.take(chart);
+    if (this.place && chart.series.length > 0) this.begin();
+  }
+
+  take(chart) {
+    this.chart = chart;
     this.all = [...chart.series, ...chart.references];
-    if (!this.place || chart.series.length === 0) return;
-    this.place.closest(".chart").classList.add("is-live");
+  }
+
+  begin() {
+    const figure = this.place.closest(".chart");
+    figure.classList.add("is-live");
+    figure.hidden = false;
     this.holder = document.createElement("div");
     this.place.append(this.holder);
     this.add_switches();
     this.build();
     new ResizeObserver(() => this.resize()).observe(this.place);
+  }
+
+  /** Draws the chart further on in its run; what the reader has zoomed into stays. */
+  follow(chart) {
+    const before = this.plot && this.outline();
+    const whole = this.plot && this.shows_all();
+    this.take(chart);
+    if (!this.place || chart.series.length === 0) return;
+    if (!this.plot) this.begin();
+    else if (this.outline() !== before) this.build();
+    else {
+      this.plot.setData(aligned(this.all), whole);
+      if (!whole) this.plot.redraw();
+    }
+  }
+
+  shows_all() {
+    const { data: [x], scales } = this.plot;
+    return scales.x.min <= x[0] && scales.x.max >= x[x.length - 1];
+  }
+
+  /** What cannot change without a new drawing. */
+  outline() {
+    return JSON.stringify([this.chart.x, this.chart.y, this.all.map((one) => one.name)]);
   }
 
   size() {

@@ -10,18 +10,28 @@ class Film {
   /** @param data  the film of report_data. */
   static async of(data) {
     const film = new Film();
-    const [labels, failure, mode, crush, strength] = await Promise.all(
-        [data.labels, data.failure, data.mode, data.crush, data.strength].map((text) => (text ? inflated(text) : null)));
-    film.data = data;
+    const [labels, strength] = await Promise.all([data.labels, data.strength].map((text) => (text ? inflated(text) : null)));
     film.labels = new Uint8Array(labels);
-    film.failure = new Float32Array(failure);
-    film.mode = new Uint8Array(mode);
-    film.crush = crush && new Float32Array(crush);
     film.strength = strength && new Uint16Array(strength);
     film.picture = document.createElement("canvas");
     film.picture.width = data.cols;
     film.picture.height = data.rows;
-    return film;
+    return film.take(data);
+  }
+
+  async take(data) {
+    const [failure, mode, crush] = await Promise.all(
+        [data.failure, data.mode, data.crush].map((text) => (text ? inflated(text) : null)));
+    this.data = data;
+    this.failure = new Float32Array(failure);
+    this.mode = new Uint8Array(mode);
+    this.crush = crush && new Float32Array(crush);
+    return this;
+  }
+
+  /** The film of the same specimen further on in its run; this one stays as it is. */
+  grown(growth) {
+    return Object.assign(new Film(), this).take({ ...this.data, ...growth });
   }
 
   /** How a pixel has failed at a strain [-]; the maps hold strains in 32 bits, and are compared so. */

@@ -1,21 +1,39 @@
 // Brings the page to life; without this script its still pictures and charts stand as they are.
 
-async function bring_to_life() {
-  const data = JSON.parse(document.getElementById("data").textContent);
-  const moment = { x: null };
-  const strain_unit = data.strain;
-  const film = data.film && (await Film.of(data.film));
-  const stage = film && new FilmStage(film, strain_unit, moment);
-  const pick = stage ? (x) => stage.go_to(x / strain_unit.per_strain) : null;
-  const charts = Object.entries(data.charts).map(
-      ([id, chart]) => new LiveChart(id, chart, moment, id === "sieve" ? null : pick));
-  if (stage) {
-    stage.moved = () => charts.forEach((chart) => chart.redraw());
-    stage.go_to(data.film.end_strain);
+/** All that moves on the page. */
+class Page {
+  static async of(data) {
+    const page = new Page();
+    page.data = data;
+    page.moment = { x: null };
+    const film = data.film && (await Film.of(data.film));
+    page.stage = film && new FilmStage(film, data.strain, page.moment);
+    const pick = page.stage ? (x) => page.stage.go_to(x / page.data.strain.per_strain) : null;
+    page.charts = Object.entries(data.charts).map(
+        ([id, chart]) => new LiveChart(id, chart, page.moment, id === "sieve" ? null : pick));
+    if (page.stage) {
+      page.stage.moved = () => page.charts.forEach((chart) => chart.redraw());
+      page.stage.go_to(data.film.end_strain);
+    }
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => page.charts.forEach((chart) => chart.plot && chart.build()));
+    page.buttons = new CurveButtons(page.charts.find((chart) => chart.id === "stress"));
+    await page.buttons.offer(data.csv);
+    document.documentElement.dataset.alive = "yes";
+    return page;
   }
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => charts.forEach((chart) => chart.plot && chart.build()));
-  await add_curve_buttons(data, charts.find((chart) => chart.place && chart.place.id === "chart-stress"));
-  document.documentElement.dataset.alive = "yes";
+
+  /** Shows more of the run. @param update  strain, csv, charts and film as in the data of the page. */
+  async grow(update) {
+    this.data.strain = update.strain;
+    if (update.film && !this.stage) return location.reload();  // it began before there was anything to see
+    if (update.film) {
+      const film = await this.stage.film.grown(update.film);
+      this.stage.follow(film, update.strain);
+    }
+    for (const chart of this.charts)
+      if (update.charts[chart.id]) chart.follow(update.charts[chart.id]);
+    await this.buttons.offer(update.csv);
+  }
 }
 
 /** The controls of the film. */
@@ -37,14 +55,14 @@ class FilmStage {
     document.getElementById("film").hidden = false;
     part("screen").style.aspectRatio = `${film.data.cols} / ${film.data.rows}`;
     this.screen = new FilmScreen(film, part("screen"));
-    this.slider.addEventListener("input", () => this.go_to((film.data.end_strain * this.slider.value) / this.slider.max));
+    this.slider.addEventListener("input", () => this.go_to((this.film.data.end_strain * this.slider.value) / this.slider.max));
     this.look.addEventListener("change", () => this.show());
     this.play_button.addEventListener("click", () => (this.playing ? this.stop() : this.play()));
     part("whole").addEventListener("click", () => {
       this.screen.whole();
       this.screen.draw();
     });
-    part("png").addEventListener("click", async () => save(await film_as_png(film), `damage_${this.file_strain()}.png`));
+    part("png").addEventListener("click", async () => save(await film_as_png(this.film), `damage_${this.file_strain()}.png`));
     part("gif").addEventListener("click", () => this.save_gif(part("gif")));
     this.listen_to_pointer(part("screen"));
     this.listen_to_keys(part("screen"));
@@ -57,6 +75,15 @@ class FilmStage {
 
   file_strain() {
     return this.strain_text().replace("%", "percent").replace(/[^\w.]+/g, "_");
+  }
+
+  /** Puts a longer film in place of this one, and goes on to its end where this one was at its own. */
+  follow(film, strain_unit) {
+    const was_at_end = this.strain >= this.film.data.end_strain;
+    this.film = film;
+    this.screen.film = film;
+    this.strain_unit = strain_unit;
+    this.go_to(was_at_end ? film.data.end_strain : this.strain);
   }
 
   go_to(strain) {
@@ -96,13 +123,13 @@ class FilmStage {
 
   /** From here to the end in eight seconds for the whole; from the beginning when it is at the end. */
   play() {
-    const end = this.film.data.end_strain;
-    const from = this.strain >= end ? 0 : this.strain;
+    const from = this.strain >= this.film.data.end_strain ? 0 : this.strain;
     const begun = performance.now();
     this.playing = true;
     this.play_button.textContent = "Pause";
     const step = (now) => {
       if (!this.playing) return;
+      const end = this.film.data.end_strain;
       this.go_to(from + (end * Math.max(0, now - begun)) / 8000);
       if (this.strain >= end) this.stop();
       else requestAnimationFrame(step);
@@ -182,21 +209,30 @@ class FilmStage {
   }
 }
 
-async function add_curve_buttons(data, stress) {
-  if (!stress || !stress.plot) return;
-  const csv = data.csv && (await inflated(data.csv));
-  const row = document.createElement("p");
-  row.className = "controls";
-  const add = (words, act) => {
+/** What the reader takes of the curve. */
+class CurveButtons {
+  constructor(stress) {
+    if (!stress || !stress.plot) return;
+    this.row = document.createElement("p");
+    this.row.className = "controls";
+    this.add("Save as PNG", async () => save(await chart_as_png(stress), "curve.png"));
+    stress.place.append(this.row);
+  }
+
+  add(words, act) {
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = words;
     button.addEventListener("click", act);
-    row.append(button);
-  };
-  if (csv) add("Save as CSV", () => save(new Blob([csv], { type: "text/csv" }), "curve.csv"));
-  add("Save as PNG", () => chart_as_png(stress).then((blob) => save(blob, "curve.png")));
-  stress.place.append(row);
+    this.row.prepend(button);
+  }
+
+  /** The table, where there is one; a run that goes on has none. */
+  async offer(csv) {
+    if (!csv || !this.row) return;
+    const table = await inflated(csv);
+    this.add("Save as CSV", () => save(new Blob([table], { type: "text/csv" }), "curve.csv"));
+  }
 }
 
 /** The chart on the paper of the page. */
@@ -212,4 +248,6 @@ function chart_as_png(chart) {
   return new Promise((done) => canvas.toBlob(done, "image/png"));
 }
 
-if (typeof DecompressionStream === "function") bring_to_life();
+/** The page once it moves; never, in a browser that is too old for it. */
+const living = typeof DecompressionStream === "function"
+    ? Page.of(JSON.parse(document.getElementById("data").textContent)) : new Promise(() => {});

@@ -3,17 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/apps/fake_run.hpp"
+#include "tests/apps/output/drawn.hpp"
 
 namespace {
 
 using output::Drawing;
 using output::Words;
-
-bool says(const Drawing& drawing, const std::string& text) {
-  for (const output::Shape& shape : drawing.shapes)
-    if (const Words* words = std::get_if<Words>(&shape); words != nullptr && words->text == text) return true;
-  return false;
-}
+using test::says;
 
 Drawing drawing_of(const FakeRun& run, double strain) {
   return output::damage_drawing(run.specimen.mask, run.result, strain, output::grey_palette(),

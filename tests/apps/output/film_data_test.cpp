@@ -1,5 +1,7 @@
 #include "apps/output/film_data.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <gtest/gtest.h>
 
 #include "tests/apps/fake_run.hpp"

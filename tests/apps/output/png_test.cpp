@@ -79,4 +79,11 @@ TEST(PngOfDrawing, PutsWordsToTheLeftOfTheirEnd) {
   EXPECT_LT(left, 110) << "no words were drawn: is a sans-serif face installed?";
 }
 
+TEST(PngOfDrawing, FillsAreas) {
+  const Raster<Rgb> picture =
+      decoded(png_of(Drawing{10, 10, "", {Area{{{0, 0}, {10, 0}, {0, 10}}, {255, 128, 0}}}}, 1));
+  EXPECT_EQ(picture(2, 2), (Rgb{255, 128, 0}));
+  EXPECT_EQ(picture(8, 8), (Rgb{255, 255, 255}));
+}
+
 }  // namespace

@@ -24,4 +24,12 @@ TEST(StrainUnit, OfARunIsThatOfItsLargestStrain) {
   EXPECT_EQ(strain_unit(result).name, "%");
 }
 
+TEST(StrainWords, NameTheShareOfThePeakWhereThereIsOne) {
+  mpm::Result result;
+  EXPECT_EQ(output::strain_words(result, 118e-6, 1), "118 microstrain");
+  result.peak_strain = 118.4e-6;
+  EXPECT_EQ(output::strain_words(result, 118e-6, 0), "118 microstrain, 100\u00A0% of the peak strain");
+  EXPECT_EQ(output::strain_words(result, 118e-6, 1), "118 microstrain, 99.7\u00A0% of the peak strain");
+}
+
 }  // namespace

@@ -1,11 +1,11 @@
-#include "apps/reproduce/job_pool.hpp"
+#include "apps/job_pool.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <mutex>
 #include <thread>
 
-namespace app::reproduce {
+namespace app {
 namespace {
 
 /// The list that the workers take their jobs from.
@@ -73,4 +73,4 @@ std::size_t run_jobs(const std::vector<std::function<void()>>& jobs, int workers
 
 int core_count() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-}  // namespace app::reproduce
+}  // namespace app

@@ -1,4 +1,4 @@
-#include "apps/reproduce/job_pool.hpp"
+#include "apps/job_pool.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace {
 
-using app::reproduce::run_jobs;
+using app::run_jobs;
 using testing::ElementsAre;
 using Jobs = std::vector<std::function<void()>>;
 
@@ -84,6 +84,6 @@ TEST(JobPool, TellsHowManyAreDone) {
 
 TEST(JobPool, HasNothingToDoWithoutJobs) { EXPECT_EQ(run_jobs({}, 2), 0U); }
 
-TEST(JobPool, ThereIsACore) { EXPECT_GE(app::reproduce::core_count(), 1); }
+TEST(JobPool, ThereIsACore) { EXPECT_GE(app::core_count(), 1); }
 
 }  // namespace

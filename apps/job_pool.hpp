@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace app::reproduce {
+namespace app {
 
 struct Watch {
   std::function<void(std::size_t done)>
@@ -23,4 +23,4 @@ std::size_t run_jobs(const std::vector<std::function<void()>>& jobs, int workers
 /// Threads that this machine runs at once, >= 1.
 [[nodiscard]] int core_count();
 
-}  // namespace app::reproduce
+}  // namespace app

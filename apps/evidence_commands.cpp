@@ -1,0 +1,13 @@
+#include "apps/evidence_commands.hpp"
+
+#include "apps/bench_command.hpp"
+#include "apps/reproduce_command.hpp"
+
+namespace app {
+
+MoreCommands evidence_commands() {
+  return {[](CLI::App& program) { return std::make_unique<ReproduceCommand>(program); },
+          [](CLI::App& program) { return std::make_unique<BenchCommand>(program); }};
+}
+
+}  // namespace app

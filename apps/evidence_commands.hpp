@@ -1,0 +1,10 @@
+/// The commands that show what the program is worth: reproduce and bench. A build may go without them.
+#pragma once
+
+#include "apps/program.hpp"
+
+namespace app {
+
+[[nodiscard]] MoreCommands evidence_commands();
+
+}  // namespace app

@@ -1,0 +1,126 @@
+#include "apps/live/live_server.hpp"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <atomic>
+
+#include "apps/complaint.hpp"
+
+namespace {
+
+/// A server with a fixed page, and a client of it.
+class Server : public testing::Test {
+ protected:
+  /// "/SECRET/"
+  [[nodiscard]] std::string root() const { return address_.substr(address_.find('/', 7)); }
+  [[nodiscard]] std::string origin() const { return address_.substr(0, address_.find('/', 7)); }
+  [[nodiscard]] int port() const { return std::stoi(address_.substr(address_.rfind(':') + 1)); }
+  [[nodiscard]] int status(const std::string& path) { return client_.Get(path)->status; }
+
+  std::atomic<int> stops_ = 0;
+  std::optional<std::string> page_ = "<p>page</p>";
+  app::LiveServer server_{0,
+                          {[this] { return page_; },
+                           [](std::int64_t have) {
+                             if (have == 13) throw std::runtime_error("no luck");
+                             return have < 7 ? std::optional<std::string>("{\"number\": 7}") : std::nullopt;
+                           },
+                           [this] { ++stops_; }}};
+  std::string address_ = server_.address();
+  httplib::Client client_{origin()};
+};
+
+TEST_F(Server, GivesThePageAndWhatIsNew) {
+  EXPECT_EQ(client_.Get(root())->body, "<p>page</p>");
+  const auto update = client_.Get(root() + "now?have=6");
+  EXPECT_EQ(update->status, 200);
+  EXPECT_EQ(update->body, "{\"number\": 7}");
+  EXPECT_EQ(status(root() + "now?have=7"), 204);
+  EXPECT_EQ(client_.Get(root() + "now?have=x")->body, "{\"number\": 7}") << "no number has nothing";
+}
+
+TEST_F(Server, StopsOnlyWhenItIsPosted) {
+  EXPECT_EQ(status(root() + "stop"), 404);
+  EXPECT_EQ(stops_, 0);
+  EXPECT_EQ(client_.Post(root() + "stop")->status, 204);
+  EXPECT_EQ(stops_, 1);
+}
+
+TEST_F(Server, AsksToComeAgainWhereThereIsNoPageYet) {
+  page_.reset();
+  const auto answer = client_.Get(root());
+  EXPECT_EQ(answer->status, 503);
+  EXPECT_NE(answer->body.find("http-equiv=\"refresh\""), std::string::npos);
+}
+
+TEST_F(Server, HasNothingForThoseWhoDoNotKnowTheSecret) {
+  std::string wrong = root();
+  wrong[5] = wrong[5] == '0' ? '1' : '0';
+  for (const std::string& path :
+       {std::string("/"), std::string("//"), wrong, wrong + "now", root().substr(0, 33),
+        root() + "../../etc/passwd", std::string("/favicon.ico"), "/" + std::string(100'000, 'a') + "/"})
+    EXPECT_GE(status(path), 400) << path.substr(0, 60);
+  EXPECT_EQ(client_.Post(wrong + "stop")->status, 404);
+  EXPECT_EQ(stops_, 0);
+}
+
+// A page from elsewhere whose name was made to mean this machine.
+TEST_F(Server, HasNothingForThoseWhoNameAnotherHost) {
+  for (const std::string host : {"evil.example", "evil.example:80", "127.0.0.1", "127.0.0.1:1"})
+    EXPECT_EQ(client_.Get(root(), {{"Host", host}})->status, 404) << host;
+  EXPECT_EQ(client_.Get(root(), {{"Host", "localhost:" + std::to_string(port())}})->status, 200);
+}
+
+TEST_F(Server, SaysThatNobodyElseMayShowOrKeepIt) {
+  const auto answer = client_.Get(root());
+  EXPECT_EQ(answer->get_header_value("Cache-Control"), "no-store");
+  EXPECT_EQ(answer->get_header_value("Referrer-Policy"), "no-referrer");
+  EXPECT_EQ(answer->get_header_value("Content-Security-Policy"), "frame-ancestors 'none'");
+  EXPECT_EQ(answer->get_header_value("X-Content-Type-Options"), "nosniff");
+  EXPECT_FALSE(answer->has_header("Access-Control-Allow-Origin"));
+}
+
+TEST_F(Server, OutlivesAnAnswerThatFails) {
+  const auto answer = client_.Get(root() + "now?have=13");
+  EXPECT_EQ(answer->status, 500);
+  EXPECT_EQ(answer->body.find("no luck"), std::string::npos);
+  EXPECT_EQ(status(root()), 200);
+}
+
+TEST_F(Server, ListensOnThisMachineAlone) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in other{};
+  other.sin_family = AF_INET;
+  other.sin_port = htons(static_cast<std::uint16_t>(port()));
+  inet_pton(AF_INET, "127.0.0.2", &other.sin_addr);  // leads here too, where all addresses are listened to
+  EXPECT_NE(connect(socket, reinterpret_cast<const sockaddr*>(&other), sizeof other), 0);
+  close(socket);
+}
+
+TEST_F(Server, SaysWhenThePortIsTaken) {
+  try {
+    const app::LiveServer second(port(), {});
+    FAIL() << "two servers on one port";
+  } catch (const app::Rejected& rejected) {
+    EXPECT_EQ(rejected.code, app::Exit::io);
+    EXPECT_EQ(std::string(rejected.what()),
+              "--port: " + std::to_string(port()) +
+                  "; is in use, or not ours to use; leave it out: any port that is free is taken");
+  }
+}
+
+// Who connects and says nothing holds nobody up.
+TEST_F(Server, EndsBesideASilentGuest) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in here{};
+  here.sin_family = AF_INET;
+  here.sin_port = htons(static_cast<std::uint16_t>(port()));
+  inet_pton(AF_INET, "127.0.0.1", &here.sin_addr);
+  ASSERT_EQ(connect(socket, reinterpret_cast<const sockaddr*>(&here), sizeof here), 0);
+  EXPECT_EQ(status(root()), 200);
+  close(socket);
+}
+
+}  // namespace

@@ -1,0 +1,102 @@
+#include "apps/live/live_view.hpp"
+
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/apps/fake_run.hpp"
+
+namespace {
+
+/// The view of a run of 40 pixels a side, and a reader of it.
+class View : public testing::Test {
+ protected:
+  [[nodiscard]] std::string root() const { return address_.substr(address_.find('/', 7)); }
+  [[nodiscard]] httplib::Client client() const {
+    return httplib::Client(address_.substr(0, address_.find('/', 7)));
+  }
+
+  /// The solver comes to a row.
+  bool come_to(std::size_t rows) {
+    const mpm::Result whole = run_.result;
+    const mpm::HistoryRow row = whole.history.at(rows - 1);
+    return view_.look({row, 0.25, 3, [&] {
+                         ++copies_;
+                         mpm::Result part = whole;
+                         part.history.resize(rows);
+                         return part;
+                       }});
+  }
+  /// What a reader gets who has `have`; null = nothing new.
+  nlohmann::json news(std::int64_t have) {
+    const auto answer = client().Get(root() + "now?have=" + std::to_string(have));
+    return answer->status == 200 ? nlohmann::json::parse(answer->body) : nlohmann::json(nullptr);
+  }
+
+  FakeRun run_ = tension_run(40);
+  app::LiveView view_{{run_.specimen, run_.scene, run_.scene_toml, "hash", "A <title>", {"a note"}}, 0};
+  std::string address_ = view_.address();
+  int copies_ = 0;
+};
+
+TEST_F(View, CostsTheSolverNothingWhileNobodyLooks) {
+  for (std::size_t rows = 1; rows < 10; ++rows) EXPECT_TRUE(come_to(rows));
+  EXPECT_EQ(copies_, 0);
+}
+
+TEST_F(View, ShowsTheNextRowToWhoeverAsks) {
+  EXPECT_TRUE(news(0).is_null());
+  EXPECT_TRUE(come_to(30));
+  EXPECT_TRUE(come_to(31));
+  EXPECT_EQ(copies_, 1) << "one question, one copy";
+  const nlohmann::json update = news(0);
+  EXPECT_EQ(update.at("number"), 1);
+  EXPECT_EQ(update.at("fraction"), 0.25);
+  EXPECT_TRUE(update.at("goes_on"));
+  EXPECT_TRUE(update.at("csv").is_null());
+  EXPECT_EQ(update.at("charts").at("stress").at("series").at(0).at("x").size(), 30U);
+  EXPECT_TRUE(news(1).is_null());
+  EXPECT_TRUE(come_to(32));
+  EXPECT_EQ(copies_, 1) << "too soon for another look";
+}
+
+TEST_F(View, GivesThePageOnceThereIsARow) {
+  std::optional<std::string> page;
+  std::thread reader([&] { page = client().Get(root())->body; });
+  for (int i = 0; i < 2000 && copies_ == 0; ++i) {
+    EXPECT_TRUE(come_to(30));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  reader.join();
+  EXPECT_NE(page->find("A &lt;title&gt;"), std::string::npos);
+  EXPECT_NE(page->find("data-number=\"1\""), std::string::npos);
+  EXPECT_NE(page->find("connect-src 'self'"), std::string::npos);
+}
+
+TEST_F(View, StopsTheRunWhenTheReaderWants) {
+  EXPECT_TRUE(come_to(10));
+  client().Post(root() + "stop");
+  EXPECT_FALSE(come_to(11));
+}
+
+TEST_F(View, TellsTheEndToThoseWhoStillWatch) {
+  EXPECT_TRUE(news(0).is_null());
+  std::thread end([&] { view_.finish(run_.result, "The run has ended."); });
+  nlohmann::json update;
+  while (update.is_null()) update = news(0);
+  end.join();
+  EXPECT_FALSE(update.at("goes_on"));
+  EXPECT_EQ(update.at("words"), "The run has ended.");
+  EXPECT_TRUE(update.at("csv").is_string());
+  EXPECT_NE(update.at("parts").at("solution").get<std::string>().find("Ended because"), std::string::npos);
+}
+
+TEST_F(View, WaitsForNobodyAtTheEnd) {
+  const auto begin = std::chrono::steady_clock::now();
+  view_.finish(run_.result, "The run has ended.");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(400));
+}
+
+}  // namespace
