@@ -371,10 +371,12 @@ TEST(Stop, LeavesWhatWasSoFar) {
     scene.kinematics = kinematics;
     const std::size_t rows = kinematics == mpm::Kinematics::moving ? 90 : 150;
     Result copy;
-    const Result result = mpm::simulate(scene, [&](const mpm::Progress& progress) {
+    mpm::RunHooks hooks;
+    hooks.observer = [&](const mpm::Progress& progress) {
       copy = progress.so_far();
       return copy.history.size() < rows;
-    });
+    };
+    const Result result = mpm::simulate(scene, hooks);
     ASSERT_EQ(copy.history.size(), rows);
     EXPECT_EQ(result.history.back().stress, copy.history.back().stress);
     EXPECT_EQ(result.steps, copy.steps);
