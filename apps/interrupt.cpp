@@ -9,7 +9,9 @@ volatile std::sig_atomic_t noted = 0;
 
 extern "C" void note_signal(int signal) {
   noted = 1;
-  std::signal(signal, SIG_DFL);  // the next one ends the program
+  // A second Ctrl-C ends the program. A second SIGTERM does not: timeout and batch systems send it twice at
+  // once.
+  if (signal == SIGINT) std::signal(signal, SIG_DFL);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 namespace app {
 
-/// While it lives, SIGINT and SIGTERM are only noted; a second one ends the program at once.
+/// While it lives, SIGINT and SIGTERM are only noted; a second SIGINT ends the program at once.
 class InterruptGuard {
  public:
   InterruptGuard();

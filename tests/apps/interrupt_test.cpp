@@ -14,6 +14,14 @@ TEST(InterruptGuard, NotesTheFirstSignalOnly) {
   EXPECT_EQ(std::signal(SIGINT, SIG_IGN), SIG_DFL);  // a second one would have ended the program
 }
 
+// As timeout(1) sends it: to the program, and to its group.
+TEST(InterruptGuard, OutlivesASecondSigterm) {
+  const app::InterruptGuard guard;
+  std::raise(SIGTERM);
+  std::raise(SIGTERM);
+  EXPECT_TRUE(guard.interrupted());
+}
+
 TEST(InterruptGuard, ForgetsEarlierSignals) {
   {
     const app::InterruptGuard guard;
