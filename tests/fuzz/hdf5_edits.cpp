@@ -87,8 +87,16 @@ hid_t make_storage(Input& input, hid_t space, const std::vector<hsize_t>& extent
   return storage;
 }
 
+bool is_in_the_file(hid_t dataset) {
+  const hid_t storage = H5Dget_create_plist(dataset);
+  const bool inside = H5Pget_layout(storage) != H5D_VIRTUAL && H5Pget_external_count(storage) == 0;
+  H5Pclose(storage);
+  return inside;
+}
+
 /// Bytes for all values of a dataset, where these are few.
 void fill(Input& input, hid_t dataset) {
+  if (!is_in_the_file(dataset)) return;
   const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   const std::size_t value_size = H5Tget_size(type);
