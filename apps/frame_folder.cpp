@@ -1,5 +1,7 @@
 #include "apps/frame_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -52,15 +54,32 @@ FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene) : run_(std::move
   remove_frames(run_);
 }
 
-void FrameFolder::add(const mpm::Frame& frame) {
+bool FrameFolder::add(const mpm::Frame& frame) {
+  try {
+    write(frame, added_++);
+    return true;
+  } catch (const mpm::FileError& error) {
+    if (!failure_) failure_ = error;
+    return false;
+  }
+}
+
+std::optional<mpm::FileError> FrameFolder::failure() const {
+  if (!failure_ || written_ == added_) return failure_;
+  return mpm::FileError(failure_->field, failure_->value, failure_->cure,
+                        fmt::format("{} of {} frames are missing", added_ - written_, added_));
+}
+
+void FrameFolder::write(const mpm::Frame& frame, std::int64_t number) {
   const fs::path folder = run_ / folder_name;
   std::error_code error;
   fs::create_directory(folder, error);
   if (error)
     throw mpm::FileError(folder.string(), "cannot be created: " + error.message(), "",
                          "choose a folder that may be written to");
-  const std::string name = output::frame_name(count_++);
+  const std::string name = output::frame_name(number);
   mpm::write_frame((folder / name).string(), frame, scene_);
+  ++written_;
   const output::FrameEntry entry{std::string(folder_name) + "/" + name, frame.time,
                                  static_cast<std::int64_t>(frame.points.size())};
   list_.add(entry);

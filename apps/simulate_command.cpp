@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/attempts.hpp"
 #include "apps/energy_note.hpp"
 #include "apps/error_estimation.hpp"
 #include "apps/explanation.hpp"
@@ -179,18 +180,48 @@ void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   }
 }
 
-/// How a run ended, for those who watched it.
-std::string last_words(const Outcome& outcome, const fs::path& folder) {
-  const std::string how =
-      outcome.divergence.empty() ? output::phrase_of(outcome.result.stop) : outcome.divergence;
-  return "The run has ended: " + how + ". Its report is " + (folder / "report.html").string();
+/// A disk that is full ends no run: it may have space again for the next frame, and for what comes of the
+/// run.
+mpm::FrameSink frame_sink(FrameFolder& frames, Console& console) {
+  return [&frames, &console, warned = false](const mpm::Frame& frame) mutable {
+    if (frames.add(frame) || warned) return;
+    warned = true;
+    console.say(std::string(console.err_is_terminal ? "\n" : "") + "warning: " + frames.failure()->what() +
+                "; the run goes on");
+  };
 }
 
-/// @throws Rejected when the physics went wrong.
-Exit exit_of(const Outcome& outcome, const fs::path& folder, Console& console) {
+/// What the disk did not take.
+using Lost = std::vector<mpm::FileError>;
+
+Lost write_what_fits(const fs::path& folder, const RunRecord& record, const FrameFolder& frames) {
+  Lost lost;
+  if (const auto failure = frames.failure()) lost.push_back(*failure);
+  try {
+    write_run(folder, record);
+  } catch (const NotWritten& missing) {
+    lost.insert(lost.end(), missing.files.begin(), missing.files.end());
+  }
+  return lost;
+}
+
+/// How a run ended, for those who watched it.
+std::string last_words(const Outcome& outcome, const fs::path& folder, const Lost& lost) {
+  const std::string how =
+      outcome.divergence.empty() ? output::phrase_of(outcome.result.stop) : outcome.divergence;
+  return "The run has ended: " + how + ". " +
+         (lost.empty() ? "Its report is " + (folder / "report.html").string() : lost.front().what());
+}
+
+/// @throws Rejected when the physics went wrong, or the disk.
+Exit exit_of(const Outcome& outcome, const fs::path& folder, const Lost& lost, Console& console) {
+  std::vector<Complaint> complaints;
   if (!outcome.divergence.empty())
-    throw Rejected(Exit::data,
-                   complaint("simulate", outcome.divergence, "what was computed is in " + folder.string()));
+    complaints.push_back(
+        complaint("simulate", outcome.divergence, "what was computed is in " + folder.string()));
+  for (const mpm::FileError& file : lost)
+    complaints.push_back(complaint(file.field, file.value, file.allowed, file.cure));
+  if (!complaints.empty()) throw Rejected(lost.empty() ? Exit::data : Exit::io, complaints);
   if (outcome.result.stop != mpm::StopReason::interrupted) return Exit::ok;
   console.say("interrupted; what was computed is kept");
   return Exit::interrupted;
@@ -299,15 +330,14 @@ Exit SimulateCommand::run(Console& console) {
     console.err << "watch the run at " << view->address() << std::endl;
   }
   FrameFolder frames(folder.path(), job.scene);
-  const Outcome outcome = solve(
-      job.scene, console, guard, [&](const mpm::Frame& frame) { frames.add(frame); },
-      view ? &*view : nullptr);
+  const Outcome outcome =
+      solve(job.scene, console, guard, frame_sink(frames, console), view ? &*view : nullptr);
   if (estimate_error_) estimate = estimate_of(outcome, job, console, guard);
   note_outcome(outcome, job, console);
   const RunRecord record{job.specimen, job.scene,          outcome.result, toml,
                          hash,         job.settings.title, job.notes,      estimate};
-  write_run(folder.path(), record);
-  if (view) view->finish(outcome.result, last_words(outcome, folder.path()));
+  const Lost lost = write_what_fits(folder.path(), record, frames);
+  if (view) view->finish(outcome.result, last_words(outcome, folder.path(), lost));
   if (json_)
     console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   else
@@ -315,8 +345,8 @@ Exit SimulateCommand::run(Console& console) {
   if (!estimate.sources.empty()) console.say(estimate_text(estimate));
   if (frames.count() > 0)
     console.say(fmt::format("{} frames for ParaView: {}", frames.count(), frames.series().string()));
-  console.say("wrote " + folder.path().string());
-  return exit_of(outcome, folder.path(), console);
+  if (lost.empty()) console.say("wrote " + folder.path().string());
+  return exit_of(outcome, folder.path(), lost, console);
 }
 
 }  // namespace app
