@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 
+#include "apps/attempts.hpp"
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
@@ -134,6 +135,10 @@ Exit run_program(const std::vector<std::string>& arguments, Console& console, co
   } catch (const specimen::Error& error) {
     return refuse(console, error.fault == specimen::Fault::write ? Exit::io : Exit::data,
                   {complaint_of(error)});
+  } catch (const NotWritten& missing) {
+    std::vector<Complaint> complaints;
+    for (const mpm::FileError& file : missing.files) complaints.push_back(complaint_of(file));
+    return refuse(console, Exit::io, complaints);
   } catch (const mpm::FileError& error) {
     return refuse(console, Exit::io, {complaint_of(error)});
   } catch (const mpm::Error& error) {
