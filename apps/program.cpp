@@ -29,8 +29,8 @@ constexpr const char* footer_text =
     "  mesopix simulate specimen.h5\n"
     "mesopix COMMAND --help tells more.\n"
     "Exit codes: 0 done, 64 wrong usage, 65 wrong data or physics, 70 a bug of ours, 74 input or output "
-    "failed,\n"
-    "75 interrupted with what was computed kept.";
+    "failed:\n"
+    "what the disk took is kept, and the rest named, 75 interrupted with what was computed kept.";
 
 /// The program and its subcommands.
 class Program {
