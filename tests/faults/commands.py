@@ -11,6 +11,8 @@ pixel_size = "1 mm"
 fraction = 0.3
 d_min = "4 mm"
 d_max = "6 mm"
+[solver]
+threads = 1
 """
 
 
