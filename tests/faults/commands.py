@@ -22,6 +22,7 @@ class Command:
     writes: tuple  # names of files and folders
     each_alone: bool = False  # whether every file is tried, whatever became of those before it
     spare: str = ""  # a folder whose files the run may do without, and end well
+    first: tuple = ()  # files without which the run does not begin
 
 
 COMMANDS = {
@@ -32,7 +33,7 @@ COMMANDS = {
     "simulate again": Command("simulate scene.toml -o first --overwrite --seed 2", ("first",), True),
     "simulate moving": Command("simulate scene.toml -o moving --kinematics moving --stop-strain 1e-4", ("moving",), True),
     "simulate checkpoints": Command("simulate scene.toml -o kept --checkpoint-every 1ms", ("kept",), True,
-                                    "kept/checkpoints"),
+                                    "kept/checkpoints", ("kept/scene.toml", "kept/specimen.h5")),
     "calibrate": Command("calibrate scene.toml --peak-stress 4.5MPa --seeds 1"
                          " -o fitted", ("fitted",), True),
     "report": Command("report first second -o both.html", ("both.html",)),
