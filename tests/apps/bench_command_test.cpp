@@ -2,10 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "apps/evidence_commands.hpp"
-#include "tests/specimen/temporary_folder.hpp"
+#include "tests/apps/program_in_folder.hpp"
 
 namespace {
 
@@ -14,31 +13,9 @@ using app::Exit;
 using testing::HasSubstr;
 
 /// Runs the program in a folder of its own.
-class BenchCommand : public testing::Test {
+class BenchCommand : public test::ProgramInFolder {
  protected:
-  void SetUp() override { fs::current_path(folder_ / ""); }
-  void TearDown() override { fs::current_path(before_); }
-
-  Exit run(std::vector<std::string> arguments) {
-    out_.str("");
-    err_.str("");
-    arguments.insert(arguments.begin(), "bench");
-    app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console, app::evidence_commands());
-  }
-
-  void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) {
-    EXPECT_EQ(run(arguments), Exit::usage) << err_.str();
-    EXPECT_EQ(err_.str(), "mesopix: " + message + "\n");
-    EXPECT_FALSE(fs::exists("runs"));
-  }
-
-  std::ostringstream out_;
-  std::ostringstream err_;
-
- private:
-  fs::path before_ = fs::current_path();
-  test::TemporaryFolder folder_;
+  BenchCommand() : ProgramInFolder("bench", app::evidence_commands()) {}
 };
 
 TEST_F(BenchCommand, WritesErrorsAgainstRunTime) {

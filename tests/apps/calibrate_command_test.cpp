@@ -2,10 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "apps/program.hpp"
-#include "tests/specimen/temporary_folder.hpp"
+#include "tests/apps/program_in_folder.hpp"
 
 namespace {
 
@@ -16,36 +14,14 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Runs the program in a folder of its own that holds a small scene.
-class CalibrateCommand : public testing::Test {
+class CalibrateCommand : public test::ProgramInFolder {
  protected:
+  CalibrateCommand() : ProgramInFolder("calibrate") {}
   void SetUp() override {
-    fs::current_path(folder_ / "");
     test::write_text("scene.toml",
                      "[generate]\nwidth = \"16 mm\"\nheight = \"16 mm\"\npixel_size = \"1 mm\"\n"
                      "fraction = 0.3\nd_min = \"4 mm\"\nd_max = \"8 mm\"\n");
   }
-  void TearDown() override { fs::current_path(before_); }
-
-  Exit run(std::vector<std::string> arguments) {
-    out_.str("");
-    err_.str("");
-    arguments.insert(arguments.begin(), "calibrate");
-    app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console);
-  }
-
-  void expect_refusal(const std::vector<std::string>& arguments, Exit code, const std::string& message) {
-    EXPECT_EQ(run(arguments), code) << err_.str();
-    EXPECT_EQ(err_.str(), "mesopix: " + message + "\n");
-    EXPECT_FALSE(fs::exists("runs"));
-  }
-
-  std::ostringstream out_;
-  std::ostringstream err_;
-
- private:
-  fs::path before_ = fs::current_path();
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(CalibrateCommand, WritesASceneThatReproducesTheFit) {

@@ -1,32 +1,7 @@
 #!/usr/bin/env bash
 # What only a real process can show: exit codes, streams, signals, and that a resolved scene gives the same run.
 #   end_to_end.sh MESOPIX DATA_FOLDER
-set -u
-mesopix=$(realpath "$1")
-data=$(realpath "$2")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# expect CODE ARGUMENTS...: run the program, keep its streams in out and err.
-expect() {
-  local wanted=$1
-  shift
-  "$mesopix" "$@" >out 2>err
-  local code=$?
-  [ "$code" -eq "$wanted" ] || fail "mesopix $*: exit code $code, not $wanted: $(cat err)"
-}
-
-same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
-has() { grep -qF -- "$2" "$1" || fail "$1 lacks \"$2\": $(cat "$1")"; }
-is_empty() { [ ! -s "$1" ] || fail "$1 is not empty: $(cat "$1")"; }
-exists() { [ -e "$1" ] || fail "$1 is missing"; }
+source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 
 small=(--width "30 mm" --height "30 mm" --pixel-size "1 mm" --fraction 0.3 --d-max "10 mm")
 
@@ -201,5 +176,4 @@ has err "the run began with '0.001 m/s'"
 expect 0 inspect stopped
 has out "(interrupted)"
 
-[ "$failures" -eq 0 ] && echo "all as expected"
-exit $((failures > 0))
+conclude

@@ -1,32 +1,7 @@
 #!/usr/bin/env bash
 # The commands reproduce and bench, as real processes.
 #   evidence.sh MESOPIX DATA_FOLDER
-set -u
-mesopix=$(realpath "$1")
-data=$(realpath "$2")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# expect CODE ARGUMENTS...: run the program, keep its streams in out and err.
-expect() {
-  local wanted=$1
-  shift
-  "$mesopix" "$@" >out 2>err
-  local code=$?
-  [ "$code" -eq "$wanted" ] || fail "mesopix $*: exit code $code, not $wanted: $(cat err)"
-}
-
-same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
-has() { grep -qF -- "$2" "$1" || fail "$1 lacks \"$2\": $(cat "$1")"; }
-is_empty() { [ ! -s "$1" ] || fail "$1 is not empty: $(cat "$1")"; }
-exists() { [ -e "$1" ] || fail "$1 is missing"; }
+source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 
 # The paper's figures: one of them, what is no figure, and the scenes for simulate.
 expect 0 reproduce --figure 3 -o paper
@@ -54,5 +29,4 @@ python3 -c 'import xml.dom.minidom as x; x.parse("errors/error_vs_time.html")' |
 expect 64 bench error --problem layer
 has err "did you mean layers?"
 
-[ "$failures" -eq 0 ] && echo "all as expected"
-exit $((failures > 0))
+conclude

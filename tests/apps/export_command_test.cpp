@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <sstream>
 
-#include "apps/program.hpp"
 #include "libmpm/result_file.hpp"
 #include "specimen/picture.hpp"
 #include "specimen/specimen_file.hpp"
+#include "tests/apps/program_in_folder.hpp"
 #include "tests/apps/small_specimen.hpp"
-#include "tests/specimen/temporary_folder.hpp"
 
 namespace {
 
@@ -21,10 +19,10 @@ using testing::EndsWith;
 using testing::HasSubstr;
 
 /// Exports from a folder of its own that holds specimen.h5, and a run of 2 x 3 pixels of 0.5 mm.
-class ExportCommand : public testing::Test {
+class ExportCommand : public test::ProgramInFolder {
  protected:
+  ExportCommand() : ProgramInFolder("export") {}
   void SetUp() override {
-    fs::current_path(folder_ / "");
     specimen::write_specimen("specimen.h5", test::small_specimen());
     mpm::Result result;
     result.failure_mode = mpm::Lattice<std::uint8_t>::Zero(2, 3);
@@ -38,29 +36,6 @@ class ExportCommand : public testing::Test {
     mpm::write_result((folder / "result.h5").string(), result, "");
     test::write_text((folder / "summary.json").string(), R"({"specimen": {"pixel_size_m": 0.0005}})");
   }
-  void TearDown() override { fs::current_path(before_); }
-
-  Exit run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "export");
-    out_.str("");
-    err_.str("");
-    app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console);
-  }
-
-  void expect_refusal(const std::vector<std::string>& arguments, Exit code, const std::string& message) {
-    const std::ptrdiff_t before = folder_.size();
-    EXPECT_EQ(run(arguments), code);
-    EXPECT_EQ(err_.str(), "mesopix: " + message + "\n");
-    EXPECT_EQ(folder_.size(), before) << "something was written";
-  }
-
-  std::ostringstream out_;
-  std::ostringstream err_;
-
- private:
-  fs::path before_ = fs::current_path();
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(ExportCommand, NamesTheFileAfterTheSpecimenBesideIt) {

@@ -5,10 +5,8 @@
 
 #include <fstream>
 #include <set>
-#include <sstream>
 
-#include "apps/program.hpp"
-#include "tests/specimen/temporary_folder.hpp"
+#include "tests/apps/program_in_folder.hpp"
 
 namespace {
 
@@ -18,36 +16,20 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Runs the program in a folder of its own that holds the run `run`, which ends before its peak.
-class PlotCommand : public testing::Test {
+class PlotCommand : public test::ProgramInFolder {
  protected:
   void SetUp() override {
-    fs::current_path(folder_ / "");
     test::write_text(
         "scene.toml",
         "[generate]\nwidth = \"20 mm\"\nheight = \"20 mm\"\npixel_size = \"1 mm\"\nfraction = 0.3\n"
         "d_min = \"4 mm\"\nd_max = \"8 mm\"\n[loading]\nstop_strain = 20e-6\n");
     ASSERT_EQ(call({"simulate", "scene.toml", "-o", "run", "--frames", "4"}), Exit::ok) << err_.str();
   }
-  void TearDown() override { fs::current_path(before_); }
-
-  Exit call(const std::vector<std::string>& arguments) {
-    out_.str("");
-    err_.str("");
-    app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console);
-  }
 
   static std::string content(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-
-  std::ostringstream out_;
-  std::ostringstream err_;
-
- private:
-  fs::path before_ = fs::current_path();
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(PlotCommand, DrawsTheDamageInEveryFormat) {

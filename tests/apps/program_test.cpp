@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "specimen/picture.hpp"
 #include "specimen/specimen_file.hpp"
-#include "tests/specimen/temporary_folder.hpp"
+#include "tests/apps/program_in_folder.hpp"
 
 namespace {
 
@@ -20,18 +19,8 @@ using testing::IsEmpty;
 using testing::StartsWith;
 
 /// Runs the program in a folder of its own, without starting a process.
-class Program : public testing::Test {
+class Program : public test::ProgramInFolder {
  protected:
-  void SetUp() override { fs::current_path(folder_ / ""); }
-  void TearDown() override { fs::current_path(before_); }
-
-  Exit run(const std::vector<std::string>& arguments) {
-    out_.str("");
-    err_.str("");
-    app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console);
-  }
-
   /// A specimen of 20 mm with pixels of 1 mm, made in no time.
   void make_small_specimen(const std::string& file) {
     ASSERT_EQ(run({"generate", "--width", "20 mm", "--height", "20 mm", "--pixel-size", "1 mm", "--fraction",
@@ -39,19 +28,6 @@ class Program : public testing::Test {
               Exit::ok)
         << err_.str();
   }
-
-  void expect_refusal(const std::vector<std::string>& arguments, Exit code, const std::string& message) {
-    EXPECT_EQ(run(arguments), code) << err_.str();
-    EXPECT_EQ(err_.str(), "mesopix: " + message + "\n");
-    EXPECT_EQ(out_.str(), "");
-  }
-
-  std::ostringstream out_;
-  std::ostringstream err_;
-
- private:
-  fs::path before_ = fs::current_path();
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(Program, TellsItsVersion) {

@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
-#include "apps/program.hpp"
 #include "libmpm/result_file.hpp"
 #include "tests/apps/fake_run.hpp"
-#include "tests/specimen/temporary_folder.hpp"
+#include "tests/apps/program_in_folder.hpp"
 
 namespace {
 
@@ -18,10 +16,10 @@ using app::Exit;
 using testing::HasSubstr;
 
 /// Runs the program in a folder of its own that holds the runs one, two and other/one.
-class ReportCommand : public testing::Test {
+class ReportCommand : public test::ProgramInFolder {
  protected:
+  ReportCommand() : ProgramInFolder("report") {}
   void SetUp() override {
-    fs::current_path(folder_ / "");
     const FakeRun run = tension_run(30);
     for (const auto& [name, seed] : {std::pair{"one", 1}, {"two", 2}, {"other/one", 3}}) {
       fs::create_directories(name);
@@ -29,27 +27,11 @@ class ReportCommand : public testing::Test {
                         "[damage]\nseed = " + std::to_string(seed) + "\n");
     }
   }
-  void TearDown() override { fs::current_path(before_); }
-
-  Exit run(std::vector<std::string> arguments) {
-    out_.str("");
-    err_.str("");
-    arguments.insert(arguments.begin(), "report");
-    app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console);
-  }
 
   static std::string page(const std::string& file) {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-
-  std::ostringstream out_;
-  std::ostringstream err_;
-
- private:
-  fs::path before_ = fs::current_path();
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(ReportCommand, LaysRunsOverEachOther) {

@@ -2,10 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "apps/evidence_commands.hpp"
-#include "tests/specimen/temporary_folder.hpp"
+#include "tests/apps/program_in_folder.hpp"
 
 namespace {
 
@@ -15,31 +14,9 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 /// Runs the program in a folder of its own.
-class ReproduceCommand : public testing::Test {
+class ReproduceCommand : public test::ProgramInFolder {
  protected:
-  void SetUp() override { fs::current_path(folder_ / ""); }
-  void TearDown() override { fs::current_path(before_); }
-
-  Exit run(std::vector<std::string> arguments) {
-    out_.str("");
-    err_.str("");
-    arguments.insert(arguments.begin(), "reproduce");
-    app::Console console{out_, err_, false, false, {}};
-    return app::run_program(arguments, console, app::evidence_commands());
-  }
-
-  void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) {
-    EXPECT_EQ(run(arguments), Exit::usage) << err_.str();
-    EXPECT_EQ(err_.str(), "mesopix: " + message + "\n");
-    EXPECT_FALSE(fs::exists("runs"));
-  }
-
-  std::ostringstream out_;
-  std::ostringstream err_;
-
- private:
-  fs::path before_ = fs::current_path();
-  test::TemporaryFolder folder_;
+  ReproduceCommand() : ProgramInFolder("reproduce", app::evidence_commands()) {}
 };
 
 TEST_F(ReproduceCommand, ReproducesOneFigureOfThePaper) {
