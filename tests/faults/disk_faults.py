@@ -115,7 +115,7 @@ def main():
             wrong += bad
     for line in wrong[:20]:
         print("FAILED:", line)
-    print(f"{total.total()} faults injected:", ", ".join(f"{mode} {call} {n}" for (mode, call), n in sorted(total.items())))
+    print(f"In all: {total.total()} faults of the disk injected:", ", ".join(f"{mode} {call} {n}" for (mode, call), n in sorted(total.items())))
     sys.exit(1 if wrong else 0)
 
 

@@ -171,7 +171,7 @@ def main():
             check_command(command, folder, inputs)
         check_frames(folder)
         check_space_again(folder)
-    print(f"{len(COMMANDS)} commands on full disks")
+    print(f"In all: {len(COMMANDS)} commands on full disks")
 
 
 if __name__ == "__main__":
