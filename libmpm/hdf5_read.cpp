@@ -87,8 +87,13 @@ void require_stored(const Dataset& dataset, std::size_t value_size) {
 
 Handle open_file(const std::string& path) {
   require(std::filesystem::is_regular_file(path), "there is no such file");
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-          "is no HDF5 file, or is cut short or damaged"};
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+              "is no HDF5 file, or is cut short or damaged");
+  const Handle settings(H5Fget_create_plist(file), H5Pclose, "is damaged");
+  std::size_t address = 0, length = 0;
+  require(H5Pget_sizes(settings, &address, &length) >= 0 && address == 8 && length == 8,
+          "has addresses and lengths that are not of 64 bits");
+  return file;
 }
 
 Handle open_group(hid_t parent, const std::string& name) {

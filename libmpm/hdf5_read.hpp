@@ -28,7 +28,7 @@ template <class T>
   return value;
 }
 
-/// An attribute of one text of any length.   @throws Fault.
+/// An attribute of one text of any length; the heaps of the file must be sound.   @throws Fault.
 [[nodiscard]] std::string read_text(hid_t object, const char* name);
 
 /// A dataset that may be read.
