@@ -11,7 +11,7 @@
 
 namespace mpm::hdf5 {
 
-/// @throws Fault when it is no file or none of HDF5.
+/// @throws Fault when it is no file, none of HDF5, or one that HDF5 would not get through.
 [[nodiscard]] Handle open_file(const std::string& path);
 
 /// A part of a group, by its own name.   @throws Fault when it is missing or a link to somewhere else.
@@ -28,7 +28,7 @@ template <class T>
   return value;
 }
 
-/// An attribute of one text of any length; the heaps of the file must be sound.   @throws Fault.
+/// An attribute of one text of any length.   @throws Fault.
 [[nodiscard]] std::string read_text(hid_t object, const char* name);
 
 /// A dataset that may be read.

@@ -1,5 +1,4 @@
 #include "libmpm/error.hpp"
-#include "libmpm/hdf5_heap.hpp"
 #include "libmpm/hdf5_read.hpp"
 #include "libmpm/history_columns.hpp"
 #include "libmpm/result_file.hpp"
@@ -98,7 +97,6 @@ void read_maps(hid_t file, Result& result) {
 }
 
 Handle open_and_check(const std::string& path) {
-  require_sound_heaps(path);
   Handle file = open_file(path);
   require(H5Aexists(file, "format") > 0 && read_text(file, "format") == format_name,
           "is no result of mesopix");

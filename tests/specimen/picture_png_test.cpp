@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "specimen/picture.hpp"
 #include "tests/specimen/picture_checks.hpp"
@@ -90,6 +91,23 @@ TEST(PicturePng, RefusesAnIndexOutsideThePalette) {
   recipe.data = {0b00110000};
   expect_refused(scratch.write("index.png", make_png(recipe)),
                  "pixel in row 0, column 1 has colour 3 of a palette with 3 colours");
+}
+
+TEST(PicturePng, RefusesAnAnimation) {
+  const Scratch scratch;
+  const FileBytes still = make_png({2, 1, 8, PNG_COLOR_TYPE_GRAY, false, {7, 9}});
+  const auto with_pictures = [&](std::uint8_t count) {
+    FileBytes chunk{0, 0, 0, 8, 'a', 'c', 'T', 'L', 0, 0, 0, count, 0, 0, 0, 0};
+    const auto sum = static_cast<std::uint32_t>(crc32(0, &chunk[4], 12));
+    for (const unsigned shift : {24U, 16U, 8U, 0U}) chunk.push_back(static_cast<std::uint8_t>(sum >> shift));
+    FileBytes bytes = still;
+    bytes.insert(bytes.begin() + 33, chunk.begin(), chunk.end());  // behind the signature and IHDR
+    return scratch.write("moves.png", bytes);
+  };
+  EXPECT_EQ(specimen::read_picture(with_pictures(1)).gray(0, 1), 9);
+  expect_refused(
+      with_pictures(2),
+      "is an animated PNG; must hold one picture; save the one that is meant as a file of its own");
 }
 
 TEST(PicturePng, RefusesAHugeClaimBeforeItAsksForMemory) {

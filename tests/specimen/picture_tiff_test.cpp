@@ -132,6 +132,60 @@ TEST(PictureTiff, RefusesAHugeClaimBeforeItAsksForMemory) {
   }
 }
 
+/// libtiff would unpack 1 GiB for each of them.
+TEST(PictureTiff, RefusesTilesThatAreLargerThanThePicture) {
+  const Scratch scratch;
+  TiffRecipe recipe{20, 20};
+  recipe.tile = 16;
+  recipe.compression = COMPRESSION_ADOBE_DEFLATE;
+  make_tiff(scratch, recipe, std::vector<std::uint8_t>(400));
+  FileBytes bytes = scratch.read("recipe.tif");
+  for (const std::uint8_t tag : {0x42, 0x43}) {  // width and length: 0x142 and 0x143
+    const std::vector<std::uint8_t> entry{tag, 1, 3, 0, 1, 0, 0, 0, 16, 0, 0, 0};
+    const auto at = std::search(bytes.begin(), bytes.end(), entry.begin(), entry.end());
+    ASSERT_NE(at, bytes.end());
+    at[8] = 0;
+    at[9] = 0x80;
+  }
+  expect_refused(
+      scratch.write("tiles.tif", bytes),
+      "has tiles of 32768 x 32768 pixels; must not be larger than the picture; save it without tiles");
+}
+
+/// Adds a picture to a file that has one.
+void add_page(const std::string& path, int kind, std::uint8_t value) {
+  TIFF* tiff = TIFFOpen(path.c_str(), "a");
+  TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, kind);
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 1);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  TIFFWriteScanline(tiff, &value, 0, 0);
+  TIFFClose(tiff);
+}
+
+TEST(PictureTiff, RefusesSeveralPagesButNotAPreview) {
+  const Scratch scratch;
+  const std::string path = make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+  add_page(path, FILETYPE_REDUCEDIMAGE, 9);
+  EXPECT_EQ(specimen::read_picture(path).gray.data, (std::vector<double>{1, 2, 3, 4}));
+  for (const int kind : {0, FILETYPE_PAGE}) {
+    (void)make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+    add_page(path, FILETYPE_REDUCEDIMAGE, 9);
+    add_page(path, kind, 9);
+    expect_refused(
+        path,
+        "is a TIFF of several pages; must hold one picture; save the one that is meant as a file of its own");
+  }
+}
+
+TEST(PictureTiff, RefusesPreviewsWithoutEnd) {
+  const Scratch scratch;
+  const std::string path = make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+  for (int i = 0; i < 40; ++i) add_page(path, FILETYPE_REDUCEDIMAGE, 9);
+  expect_refused(path, "is a TIFF of several pages");
+}
+
 TEST(PictureTiff, RefusesKindsThatItCannotRead) {
   const Scratch scratch;
   TiffRecipe recipe;
