@@ -10,8 +10,11 @@
 namespace app {
 namespace {
 
-#ifdef __has_feature
-constexpr bool is_sanitized = __has_feature(address_sanitizer);
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+constexpr bool is_sanitized =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer);
 #else
 constexpr bool is_sanitized = false;
 #endif
@@ -35,7 +38,7 @@ void limit_memory() {
   struct sysinfo about {};
   struct rlimit limit {};
   if (is_sanitized || ::sysinfo(&about) != 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
-  const std::uint64_t machine = std::uint64_t{about.totalram} * about.mem_unit;
+  const std::uint64_t machine = (std::uint64_t{about.totalram} + about.totalswap) * about.mem_unit;
   const rlim_t wanted = memory_to_take(machine, first_line("/sys/fs/cgroup/memory.max"));
   limit.rlim_cur =
       std::min(wanted, std::min(limit.rlim_cur, limit.rlim_max));  // RLIM_INFINITY is the largest

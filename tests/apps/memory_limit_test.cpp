@@ -14,7 +14,7 @@ TEST(MemoryLimit, IsWhatTheMachineOrTheContainerHas) {
   EXPECT_EQ(memory_to_take(1000, "99999999999999999999999"), 1000);
 }
 
-#ifdef NDEBUG
+#ifdef NDEBUG  // presets of sanitizers, under which there is no limit, are for debugging
 TEST(MemoryLimitDeathTest, TurnsTooLargeAWishIntoAnError) {
   const auto ask = [] {
     app::limit_memory();
