@@ -103,6 +103,17 @@ def tricks():
     assert met == 0, said
 
 
+def pages():
+    """Nothing that a name or a title says becomes part of the page of a run."""
+    name = "<script>INJECTED&'\".h5"
+    met, said = run("generate", *small, "-o", name)
+    assert met == 0, said
+    met, said = run("simulate", name, "--title", "</script><script>INJECTED", "--velocity", "1 m/s", "--stop-strain", "1e-5", "-o", "run")
+    assert met == 0, said
+    page = Path("run/report.html").read_text()
+    assert "INJECTED" in page and "<script>INJECTED" not in page, re.search(".{80}<script>INJECTED", page)[0]
+
+
 def renamed(source, path, names):
     """The specimen with other names for its phases."""
     path.write_bytes(source.read_bytes())
@@ -150,5 +161,5 @@ def archives():
 
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
-    for part in (pictures, texts, tricks, phases, archives):
+    for part in (pictures, texts, tricks, pages, phases, archives):
         part()
