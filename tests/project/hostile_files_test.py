@@ -157,6 +157,16 @@ def archives():
         file.create_dataset("labels", (1 << 18, 1 << 18), "u1", chunks=(4096, 4096), compression=9)
         file["labels"].attrs.update(kept)
     refused(["inspect", "claims.h5"], 65, "262144 x 262144 values; must be at most 200000000")
+    # A checksum that fails.
+    run("generate", *small, "-o", "good.h5")
+    run("simulate", "good.h5", "--velocity", "1 m/s", "--stop-strain", "1e-5", "-o", "run")
+    with h5py.File("run/result.h5") as file:
+        chunk = file["failure_strain"].id.get_chunk_info(0)
+    result = bytearray(Path("run/result.h5").read_bytes())
+    result[chunk.byte_offset + chunk.size // 2] ^= 1
+    Path("run/result.h5").write_bytes(result)
+    refused(["inspect", "run"], 65, "dataset failure_strain is damaged")
+    refused(["plot", "run", "-o", "damage.png"], 74, "dataset failure_strain is damaged")
 
 
 with tempfile.TemporaryDirectory() as folder:
