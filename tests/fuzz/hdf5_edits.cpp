@@ -230,19 +230,12 @@ Hdf5Sample hdf5_sample(const std::function<void(const std::string&)>& write) {
 void read_hdf5_input(const Hdf5Sample& sample, const std::uint8_t* data, std::size_t size,
                      const std::function<void(const std::string&)>& read) {
   static const InputFile file;
-  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
-  const bool is_file = size >= signature.size() &&
-                       std::equal(signature.begin(), signature.end(), data,
-                                  [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
-  const std::string& path =
-      is_file ? file.hold(data, size) : file.hold(sample.bytes.data(), sample.bytes.size());
-  if (!is_file) {
-    Input input(data, size);
-    const hid_t changed = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-    if (changed < 0) std::abort();
-    for (int i = 0; i < 4 && input.remaining_bytes() > 0; ++i) edit(input, changed, sample);
-    H5Fclose(changed);
-  }
+  const std::string& path = file.hold(sample.bytes.data(), sample.bytes.size());
+  Input input(data, size);
+  const hid_t changed = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  if (changed < 0) std::abort();
+  for (int i = 0; i < 4 && input.remaining_bytes() > 0; ++i) edit(input, changed, sample);
+  H5Fclose(changed);
   read(path);
 }
 

@@ -3,13 +3,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 
-#include "libmpm/frame_file.hpp"
-#include "libmpm/result_file.hpp"
+#include "libmpm/checkpoint_file.hpp"
 #include "specimen/picture.hpp"
-#include "specimen/specimen_file.hpp"
-#include "tests/libmpm/sample_frames.hpp"
-#include "tests/libmpm/sample_results.hpp"
+#include "tests/fuzz/checkpoint_samples.hpp"
 #include "tests/specimen/jpeg_recipe.hpp"
 #include "tests/specimen/png_recipe.hpp"
 #include "tests/specimen/sample_specimen.hpp"
@@ -110,15 +108,29 @@ void write_lists(const fs::path& folder) {
         "b_m, a_m, x_um, y_cm\r\n0.001, 0.002, 9000, 1.5\r\n");
 }
 
+/// The number of the scene, and the file.
+void write_checkpoints(const fs::path& folder) {
+  const std::vector<mpm::Scene> scenes = fuzz::checkpoint_scenes();
+  const fs::path file = folder / "file";
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (const int rows : {2, 20}) {
+      const auto checkpoint = fuzz::checkpoint_after(scenes[i], rows);
+      if (!checkpoint) continue;
+      mpm::write_checkpoint(file, *checkpoint, "", "");
+      std::string bytes(1, static_cast<char>(i));
+      std::ifstream stream(file, std::ios::binary);
+      bytes.append(std::istreambuf_iterator<char>(stream), {});
+      write(folder / (std::to_string(i) + "_after_" + std::to_string(rows)), bytes);
+    }
+  fs::remove(file);
+}
+
 void write_all(const fs::path& seeds) {
   write_pictures(folder_of(seeds, "picture"));
   write_scenes(folder_of(seeds, "scene"));
   write_lists(folder_of(seeds, "ellipse_list"));
-  specimen::write_specimen(folder_of(seeds, "specimen_file") / "specimen.h5", test::sample_specimen());
-  mpm::write_result(folder_of(seeds, "result_file") / "result.h5", samples::odd_result(), "[loading]\n");
-  mpm::write_frame(folder_of(seeds, "frame_file") / "frame.hdf", samples::odd_frame(),
-                   samples::mortar_block(2, 2));
-  // Changes that the good file itself does not lead to.
+  write_checkpoints(folder_of(seeds, "checkpoint"));
+  // Changes of a good file.
   for (const char* kind : {"specimen_file", "result_file", "frame_file"})
     write(folder_of(seeds, kind) / "edits", values(300));
 }
