@@ -169,7 +169,9 @@ void put_attribute(Input& input, hid_t file, const std::string& full) {
   H5Tclose(type);
 }
 
-void edit(Input& input, hid_t file, const Hdf5Sample& sample) {
+/// @return whether another edit may follow: HDF5 1.10 itself falls over links that lead in a circle when it
+/// changes the file again.
+bool edit(Input& input, hid_t file, const Hdf5Sample& sample) {
   const std::string& name =
       sample.links[input.ConsumeIntegralInRange<std::size_t>(0, sample.links.size() - 1)];
   switch (input.ConsumeIntegralInRange(0, 4)) {
@@ -185,12 +187,13 @@ void edit(Input& input, hid_t file, const Hdf5Sample& sample) {
     case 3:
       put_link(input, file, name,
                sample.links[input.ConsumeIntegralInRange<std::size_t>(0, sample.links.size() - 1)]);
-      break;
+      return false;
     default:
       put_attribute(
           input, file,
           sample.attributes[input.ConsumeIntegralInRange<std::size_t>(0, sample.attributes.size() - 1)]);
   }
+  return true;
 }
 
 /// HDF5 gives the names one by one.
@@ -234,7 +237,8 @@ void read_hdf5_input(const Hdf5Sample& sample, const std::uint8_t* data, std::si
   Input input(data, size);
   const hid_t changed = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   if (changed < 0) std::abort();
-  for (int i = 0; i < 4 && input.remaining_bytes() > 0; ++i) edit(input, changed, sample);
+  for (int i = 0; i < 4 && input.remaining_bytes() > 0; ++i)
+    if (!edit(input, changed, sample)) break;
   H5Fclose(changed);
   read(path);
 }
