@@ -10,6 +10,7 @@
 #include "apps/calibration_report.hpp"
 #include "apps/calibration_words.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/json_text.hpp"
 #include "apps/read_option.hpp"
 #include "apps/run_location.hpp"
 #include "apps/scene_builder.hpp"
@@ -84,7 +85,7 @@ Attempts write_calibration(const fs::path& folder, const CalibrationTask& task,
     attempt([&] { mpm::replace_file((folder / name).string(), text); });
   };
   write("scene.toml", toml);
-  write("calibration.json", calibration_json(task, calibration).dump(2) + "\n");
+  write("calibration.json", json_text(calibration_json(task, calibration)));
   write("report.html", calibration_html(task, calibration, "Calibration: " + task.settings.title, toml));
   return attempt;
 }
@@ -196,7 +197,7 @@ Exit CalibrateCommand::run(Console& console) {
   }
   const Attempts written = write_calibration(folder.path(), task, calibration);
   for (const std::string& line : outcome_lines(task, calibration)) console.say(line);
-  if (json_) console.out << calibration_json(task, calibration).dump(2) << '\n';
+  if (json_) console.out << json_text(calibration_json(task, calibration));
   written.conclude();
   console.say("wrote " + folder.path().string());
   return exit_of(task, calibration, folder.path(), console);

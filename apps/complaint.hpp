@@ -1,6 +1,7 @@
 /// What the program says when it cannot do what was asked, and how it exits then.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,7 +38,11 @@ struct Complaint {
   std::string cure;     ///< what to try
 };
 
+/// Each part cut at 2000 bytes.
 [[nodiscard]] std::string text(const Complaint& complaint);
+
+/// Complaints about one file that are kept; where there are so many, its reader goes no further.
+inline constexpr std::size_t most_complaints = 100;
 
 /// A complaint about the command line, or about something that has no place in a file.
 [[nodiscard]] Complaint complaint(std::string field, std::string value, std::string allowed,
@@ -67,7 +72,15 @@ struct Mistake : std::runtime_error {
 /// Whether the bytes are UTF-8, as TOML and JSON need them.
 [[nodiscard]] bool is_utf8(const std::string& text);
 
-/// Text without control characters (they become "?"), for what is shown as the user wrote it.
-[[nodiscard]] std::string printable(std::string text);
+/// Text without control characters and bytes that are no UTF-8 (they become "?"), for what is shown as the
+/// user wrote it: a terminal obeys some of them, the C1 set among them, and others turn the direction of the
+/// line round.
+[[nodiscard]] std::string printable(const std::string& text);
+
+/// The same, but for line breaks, which stay.
+[[nodiscard]] std::string printable_lines(const std::string& text);
+
+/// Text with its control characters as \u009B, as TOML and JSON take them within quotes.
+[[nodiscard]] std::string escaped_controls(const std::string& text);
 
 }  // namespace app

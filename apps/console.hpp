@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/assignment.hpp"
+#include "apps/complaint.hpp"
 
 namespace app {
 
@@ -16,9 +17,9 @@ struct Console {
   bool quiet = false;            ///< only errors
   Origins origins;               ///< of the settings, so that errors of the libraries can be located
 
-  /// One line, unless quiet.
+  /// One line or more, unless quiet; whatever the terminal would obey is taken out.
   void say(const std::string& line) {
-    if (!quiet) err << line << '\n' << std::flush;
+    if (!quiet) err << printable_lines(line) << '\n' << std::flush;
   }
 };
 

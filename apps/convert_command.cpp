@@ -40,6 +40,7 @@ nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specime
   labels.method = specimen::Segmentation::labels;
   labels.label_phases = options.label_phases;
   labels.width = mask.width();
+  labels.max_pixels = options.max_pixels;
   labels.crop = options.crop;
   labels.pixels = options.pixels;
   const auto wanted = specimen::convert_picture(reference, labels).segmented.mask;

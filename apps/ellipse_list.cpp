@@ -26,7 +26,7 @@ class Reader {
 
   std::vector<specimen::Ellipse> read(const std::string& text) {
     std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
+    for (std::string line; complaints_.size() < most_complaints && std::getline(stream, line);) {
       ++line_;
       if (!line.empty() && line.back() == '\r') line.pop_back();
       if (line_ == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // byte order mark
@@ -135,7 +135,7 @@ std::vector<specimen::Ellipse> parse_ellipse_list(const std::string& text, const
 }
 
 std::vector<specimen::Ellipse> read_ellipse_list(const std::string& path) {
-  return parse_ellipse_list(read_text_file(path), path);
+  return parse_ellipse_list(read_text_file(path, longest_table), path);
 }
 
 }  // namespace app

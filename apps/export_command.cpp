@@ -8,12 +8,11 @@
 #include <optional>
 
 #include "apps/export_formats.hpp"
+#include "apps/hdf5_files.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/text_file.hpp"
 #include "libmpm/error.hpp"
-#include "libmpm/result_file.hpp"
 #include "specimen/error.hpp"
-#include "specimen/specimen_file.hpp"
 
 namespace app {
 namespace {
@@ -56,10 +55,10 @@ exchange::PlaneElement plane_of(const std::string& name, const ExportFormat& for
 /// The specimen in a file, or nothing where the file holds a result.
 std::optional<specimen::Specimen> specimen_in(const std::string& path) {
   try {
-    return specimen::read_specimen(path);
+    return read_specimen(path);
   } catch (const specimen::Error& no_specimen) {
     try {
-      (void)mpm::read_scene_text(path);
+      (void)read_scene_text(path);
     } catch (const mpm::Error& no_result) {
       throw Rejected(Exit::data, complaint(path, "neither a specimen nor a result", no_specimen.what(),
                                            no_result.what()));
@@ -168,7 +167,7 @@ Exit ExportCommand::export_run(const std::string& result_file, Console& console)
   if (format_ != "tif")
     throw Rejected(Exit::usage, complaint(input_, "is a run", "--to " + format_ + " needs a specimen",
                                           "give the specimen, or --to tif for the damage of the run"));
-  const mpm::Result result = mpm::read_result(result_file);
+  const mpm::Result result = read_result(result_file);
   const double pixel_size = pixel_size_beside(result_file);
   const fs::path folder = folder_of_maps(output_, result_file);
   for (const std::string& file : write_run_maps(folder, {result, pixel_size})) console.say("wrote " + file);

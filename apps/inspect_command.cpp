@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "apps/hdf5_files.hpp"
+#include "apps/json_text.hpp"
 #include "apps/specimen_report.hpp"
 #include "apps/strain_text.hpp"
 #include "libmpm/error.hpp"
-#include "libmpm/result_file.hpp"
 #include "specimen/error.hpp"
 #include "specimen/picture.hpp"
-#include "specimen/specimen_file.hpp"
 
 namespace app {
 namespace {
@@ -103,12 +103,12 @@ std::string picture_text(const Json& figures) {
 Json hdf5_json(const std::string& path) {
   std::string why_no_result;
   try {
-    return result_json(mpm::read_result(path));
+    return result_json(read_result(path));
   } catch (const mpm::Error& error) {
     why_no_result = error.what();
   }
   try {
-    return specimen_json(specimen::read_specimen(path), {});
+    return specimen_json(read_specimen(path), {});
   } catch (const specimen::Error& error) {
     throw Rejected(Exit::data,
                    complaint(path, "neither a specimen nor a result", error.what(), why_no_result));
@@ -148,8 +148,7 @@ InspectCommand::InspectCommand(CLI::App& program)
 Exit InspectCommand::run(Console& console) {
   if (file_.empty()) throw Rejected(Exit::usage, complaint("FILE", "missing", "", "mesopix inspect FILE"));
   const Json figures = inspect(file_);
-  console.out << (json_ ? figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"
-                        : figures_text(figures));
+  console.out << (json_ ? json_text(figures) : printable_lines(figures_text(figures)));
   return Exit::ok;
 }
 

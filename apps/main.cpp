@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/console.hpp"
+#include "apps/memory_limit.hpp"
 #include "apps/program.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
@@ -27,6 +28,7 @@ void fill_closed_streams() {
 int main(int argc, char** argv) {
   fill_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size is an error as any other
+  app::limit_memory();
   app::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) != 0, false, {}};
   const std::vector<std::string> arguments(argv + 1, argv + argc);
 #ifdef MESOPIX_EVIDENCE

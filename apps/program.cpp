@@ -1,5 +1,7 @@
 #include "apps/program.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -106,8 +108,13 @@ class Program {
 };
 
 Exit refuse(Console& console, Exit code, const std::vector<Complaint>& complaints) {
-  for (const Complaint& complaint : complaints)
-    console.err << "mesopix: " << text(locate(console.origins, complaint)) << '\n';
+  constexpr std::size_t told = 20;
+  for (std::size_t i = 0; i < std::min(told, complaints.size()); ++i)
+    console.err << "mesopix: " << text(locate(console.origins, complaints[i])) << '\n';
+  if (complaints.size() > told)
+    console.err << fmt::format("mesopix: and {}{} more\n",
+                               complaints.size() < most_complaints ? "" : "at least ",
+                               complaints.size() - told);
   console.err << std::flush;
   return code;
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/hdf5_files.hpp"
 #include "apps/output/comparison.hpp"
 #include "apps/scene_differences.hpp"
 #include "libmpm/replace_file.hpp"
-#include "libmpm/result_file.hpp"
 
 namespace app {
 namespace {
@@ -74,8 +74,8 @@ Exit ReportCommand::run(Console& console) {
   std::vector<std::string> scenes;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const std::string path = result_of(runs_[i]).string();
-    compared.push_back({names[i], mpm::read_result(path)});
-    scenes.push_back(mpm::read_scene_text(path));
+    compared.push_back({names[i], read_result(path)});
+    scenes.push_back(read_scene_text(path));
   }
   std::vector<output::ComparedSetting> settings;
   for (SceneDifference& one : scene_differences(scenes))

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include "apps/checkpoint_folder.hpp"
+#include "apps/hdf5_files.hpp"
 #include "apps/scene_builder.hpp"
 #include "apps/scene_differences.hpp"
 #include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/text_file.hpp"
-#include "libmpm/result_file.hpp"
-#include "specimen/specimen_file.hpp"
 
 namespace app {
 namespace {
@@ -22,7 +21,7 @@ void say_how_it_ended(const fs::path& folder, const std::vector<std::string>& fa
     throw Rejected(Exit::data, complaint("--resume", folder.string() + " has no checkpoint that can be read",
                                          "", "begin the run anew"));
   const fs::path result = folder / "result.h5";
-  if (!fs::exists(result) || mpm::read_result(result.string()).stop == mpm::StopReason::interrupted)
+  if (!fs::exists(result) || read_result(result.string()).stop == mpm::StopReason::interrupted)
     throw Rejected(Exit::data, complaint("--resume", folder.string() + " has no checkpoint", "",
                                          "begin the run anew, with --checkpoint-every to have some"));
   console.say("the run in " + folder.string() + " has come to its end, there is nothing to go on with");
@@ -55,7 +54,7 @@ Resolved settings_of(const fs::path& folder, const std::string& of_the_run,
 
 Job job_of(const fs::path& folder, Settings settings, const mpm::Checkpoint& checkpoint) {
   const std::string path = (folder / "specimen.h5").string();
-  specimen::Specimen specimen = specimen::read_specimen(path);
+  specimen::Specimen specimen = read_specimen(path);
   mpm::Scene scene = build_scene(specimen, settings);
   mpm::validate(scene);
   if (mpm::specimen_digest(scene) != checkpoint.specimen)

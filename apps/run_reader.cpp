@@ -1,11 +1,10 @@
 #include "apps/run_reader.hpp"
 
 #include "apps/command.hpp"
+#include "apps/hdf5_files.hpp"
 #include "apps/scene_builder.hpp"
 #include "apps/scene_file.hpp"
-#include "libmpm/result_file.hpp"
 #include "specimen/digest.hpp"
-#include "specimen/specimen_file.hpp"
 
 namespace app {
 
@@ -18,9 +17,9 @@ ReadRun read_run(const std::string& folder) {
     throw Rejected(Exit::usage, complaint("RUN", folder, "must be the folder of a run"));
   const auto file = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
   ReadRun run;
-  run.result = mpm::read_result(file("result.h5"));
-  run.specimen = specimen::read_specimen(file("specimen.h5"));
-  run.scene_toml = mpm::read_scene_text(file("result.h5"));
+  run.result = read_result(file("result.h5"));
+  run.specimen = read_specimen(file("specimen.h5"));
+  run.scene_toml = read_scene_text(file("result.h5"));
   const Settings settings = resolve(parse_scene(run.scene_toml, file("scene.toml")), {}).settings;
   run.scene = build_scene(run.specimen, settings);
   run.title = settings.title;

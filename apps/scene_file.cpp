@@ -8,6 +8,7 @@
 
 #include "apps/ellipse_list.hpp"
 #include "apps/text_file.hpp"
+#include "apps/toml_nesting.hpp"
 
 namespace app {
 namespace {
@@ -42,16 +43,24 @@ class Walk {
 
   void complain(const toml::source_region& source, std::string field, std::string value, std::string allowed,
                 std::string cure = {}) {
+    if (is_full()) return;
     scene_.complaints.push_back(
         {place(source), std::move(field), std::move(value), std::move(allowed), std::move(cure)});
   }
 
+  [[nodiscard]] bool is_full() const { return scene_.complaints.size() >= most_complaints; }
+
   void unknown(const toml::key& key, const std::string& name) {
+    if (is_full()) return;  // a suggestion takes its time
     if (is_group(name)) return complain(key.source(), name, "must be a table", "write [" + name + "]");
     complain(key.source(), name, "unknown key", suggest_key(name, Settings()));
   }
 
   void phases(const toml::table& table) {
+    constexpr std::size_t most = 255;  // labels have a byte, one of them is void
+    if (table.size() > most)
+      return complain(table.source(), "phases", fmt::format("{} tables", table.size()),
+                      fmt::format("must be at most {}", most));
     for (const auto& [key, node] : table) {
       const std::string name(key.str());
       if (!is_phase_name(name))
@@ -69,7 +78,7 @@ class Walk {
       const std::string full = prefix + std::string(key.str());
       const auto field = find_field(full);
       if (!field)
-        complain(key.source(), full, "unknown key", suggest_key(full, Settings()));
+        unknown(key, full);
       else
         assign(full, field->kind, node);
     }
@@ -167,6 +176,7 @@ bool earlier(const Place& a, const Place& b) {
 
 SceneFile parse_scene(const std::string& text, const std::string& path) {
   SceneFile scene;
+  check_nesting(text, path);
   try {
     Walk(path, scene).root(toml::parse(text, path));
   } catch (const toml::parse_error& error) {

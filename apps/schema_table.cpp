@@ -105,6 +105,8 @@ std::vector<Field> scale_fields() {
       field("convert.width", length_or_auto(), "of the cropped picture, the other way to give the scale",
             MEMBER(convert.width)),
       field("convert.crop", Rectangle{}, "pixels of the picture to keep; empty = all", MEMBER(convert.crop)),
+      field("convert.max_pixels", Integer<std::int64_t>{{between(1, 2'000'000'000), {}}},
+            "of the picture; a larger one is refused before it is decoded", MEMBER(convert.max_pixels)),
       field("convert.pixels", Integer<>{{between(1, 100000), Word{"auto", 0}}},
             "columns of the specimen; auto = as the picture", MEMBER(convert.pixels)),
   };

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "apps/explanation.hpp"
+#include "apps/json_text.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/output/text.hpp"
 #include "apps/read_option.hpp"
@@ -175,7 +176,7 @@ Exit SimulateCommand::begin(Console& console) {
   Job job = prepare_job(std::move(settings), console);
   if (explain_) {
     const mpm::Explanation explanation = mpm::explain(job.scene);
-    console.out << (json_ ? explanation_json(explanation).dump(2) + "\n" : explanation_text(explanation));
+    console.out << (json_ ? json_text(explanation_json(explanation)) : explanation_text(explanation));
     return Exit::ok;
   }
   if ((estimate_error_ || wanted) && !output::has_platens(job.scene))

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/complaint.hpp"
+#include "apps/json_text.hpp"
 #include "apps/specimen_report.hpp"
 #include "specimen/picture.hpp"
 #include "specimen/preview.hpp"
@@ -62,7 +63,7 @@ void report_specimen(Console& console, bool as_json, const Prepared& prepared, n
   if (as_json) {
     figures["notes"] = prepared.notes;
     figures["files"] = files;
-    console.out << figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    console.out << json_text(figures);
     return;
   }
   std::string text = specimen_text(figures);

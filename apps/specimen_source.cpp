@@ -4,12 +4,12 @@
 
 #include "apps/complaint.hpp"
 #include "apps/ellipse_list.hpp"
+#include "apps/hdf5_files.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/version.hpp"
 #include "specimen/convert.hpp"
 #include "specimen/digest.hpp"
 #include "specimen/packing.hpp"
-#include "specimen/specimen_file.hpp"
 
 namespace app {
 namespace {
@@ -92,7 +92,7 @@ Prepared prepare_specimen(const Settings& settings) {
     case Source::picture:
       return convert(settings);
     case Source::file:
-      return {specimen::read_specimen(settings.specimen.file), {}, {}};
+      return {read_specimen(settings.specimen.file), {}, {}};
   }
   return {};
 }

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "apps/frame_folder.hpp"
+#include "apps/hdf5_files.hpp"
 #include "apps/output/strain_unit.hpp"
 #include "apps/read_option.hpp"
-#include "libmpm/frame_file.hpp"
 
 namespace app {
 namespace {
@@ -26,7 +26,7 @@ fs::path nearest_frame(const std::vector<fs::path>& frames, double strain) {
   double least = std::numeric_limits<double>::infinity();
   fs::path nearest;
   for (const fs::path& frame : frames) {
-    const double distance = std::abs(mpm::read_frame_heading(frame.string()).strain - strain);
+    const double distance = std::abs(read_frame_heading(frame.string()).strain - strain);
     if (distance >= least) continue;
     least = distance;
     nearest = frame;
@@ -75,7 +75,7 @@ StressPlot stress_plot(const ReadRun& run, const fs::path& folder, double strain
     throw Rejected(Exit::data, complaint("RUN", folder.string(), "has no frames, which hold the stress",
                                          "run it again with --frames 40"));
   const fs::path file = nearest_frame(frames, strain);
-  const mpm::Frame frame = mpm::read_frame(file.string());
+  const mpm::Frame frame = read_frame(file.string());
   check_belongs(frame, file, run);
   const std::string words = output::strain_words(run.result, frame.strain, 1);
   const bool moved = run.result.history[static_cast<std::size_t>(frame.row)].moving_points > 0;

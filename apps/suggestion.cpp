@@ -36,6 +36,8 @@ int edit_distance(std::string_view first, std::string_view second) {
 }
 
 std::string closest(std::string_view written, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest = 200;  // what is longer resembles nothing, and takes long to compare
+  if (written.size() > longest) return {};
   std::string best;
   int best_distance = std::numeric_limits<int>::max();
   for (const std::string& candidate : candidates) {

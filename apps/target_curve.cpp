@@ -32,7 +32,7 @@ class Reader {
 
   TargetCurve read(const std::string& text) {
     std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
+    for (std::string line; complaints_.size() < most_complaints && std::getline(stream, line);) {
       ++line_;
       if (!line.empty() && line.back() == '\r') line.pop_back();
       if (line_ == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // byte order mark
@@ -142,7 +142,7 @@ TargetCurve parse_target_curve(const std::string& text, const std::string& path)
 }
 
 TargetCurve read_target_curve(const std::string& path) {
-  return parse_target_curve(read_text_file(path), path);
+  return parse_target_curve(read_text_file(path, longest_table), path);
 }
 
 }  // namespace app

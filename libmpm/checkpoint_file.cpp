@@ -39,7 +39,12 @@ std::string bytes_of(const std::string& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream.is_open() ? static_cast<std::streamoff>(stream.tellg()) : -1;
-  std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)), '\0');
+  std::string bytes(magic.size(), '\0');
+  if (size >= 0 && stream.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size())) &&
+      bytes != magic)
+    throw FileError(path, "is no checkpoint", "", cure);  // however long it is
+  stream.clear();
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
   if (size < 0 || !stream.seekg(0) || !stream.read(bytes.data(), size))
     throw FileError(path, "cannot be read: " + std::generic_category().message(errno),
                     "must be a checkpoint");

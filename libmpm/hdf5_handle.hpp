@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,7 +17,9 @@ struct Fault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// HDF5 prints its error stack unless told otherwise; a library never prints.
+/// HDF5 prints its error stack unless told otherwise; a library never prints. The caller's setting comes back
+/// afterwards, but not after an exception: HDF5 1.10 loses track of memory in a damaged file, and complains
+/// of it on the terminal when the program ends.
 class Quiet {
  public:
   Quiet() {
@@ -25,9 +28,12 @@ class Quiet {
   }
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
-  ~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  ~Quiet() {
+    if (std::uncaught_exceptions() == exceptions_) H5Eset_auto2(H5E_DEFAULT, print_, data_);
+  }
 
  private:
+  int exceptions_ = std::uncaught_exceptions();
   H5E_auto2_t print_ = nullptr;
   void* data_ = nullptr;
 };

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+
+#include "libmpm/hdf5_heap.hpp"
 
 namespace mpm::hdf5 {
 namespace {
@@ -42,8 +45,10 @@ double bytes_of(const std::vector<hsize_t>& extent, std::size_t value_size) {
   return bytes;
 }
 
-/// HDF5 would load any filter that it does not bring itself from a folder of plug-ins, and run it.
+/// HDF5 would load any filter that it does not bring itself from a folder of plug-ins, and run it. A filter
+/// over its own output would unpack a few bytes to any number of them.
 void require_known_filters(hid_t settings, const std::string& words) {
+  std::set<H5Z_filter_t> met;
   for (int i = 0; i < H5Pget_nfilters(settings); ++i) {
     unsigned flags = 0;
     std::size_t values = 0;
@@ -51,6 +56,7 @@ void require_known_filters(hid_t settings, const std::string& words) {
         H5Pget_filter2(settings, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, nullptr);
     require(filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32,
             words + " is packed by filter " + std::to_string(filter) + ", which is none of HDF5's own");
+    require(met.insert(filter).second, words + " is packed twice by filter " + std::to_string(filter));
   }
 }
 
@@ -68,17 +74,33 @@ void require_chunks(const Dataset& dataset, hid_t settings, std::size_t value_si
           dataset.words + " lacks some of its data");
 }
 
+Handle settings_of(const Dataset& dataset) {
+  return {H5Dget_create_plist(dataset.id), H5Pclose, dataset.words + " is damaged"};
+}
+
+/// Before the extent is asked for: HDF5 opens the other files to know how far they reach.
+void require_inside(const Dataset& dataset) {
+  const Handle settings = settings_of(dataset);
+  require(H5Pget_layout(settings) != H5D_VIRTUAL && H5Pget_external_count(settings) == 0,
+          dataset.words + " keeps its data in another file");
+  require_known_filters(settings, dataset.words);
+}
+
+/// Chunks may lie over each other, so that all of them together claim more than the file holds.
+double stored_bytes(const Dataset& dataset) {
+  const Handle file(H5Iget_file_id(dataset.id), H5Fclose, dataset.words + " is damaged");
+  hsize_t file_size = 0;
+  require(H5Fget_filesize(file, &file_size) >= 0, dataset.words + " is damaged");
+  return static_cast<double>(std::min(file_size, H5Dget_storage_size(dataset.id)));
+}
+
 /// An extent that a damaged file only claims would ask for any amount of memory; deflate packs at most
 /// 1032:1.
 void require_stored(const Dataset& dataset, std::size_t value_size) {
-  const Handle settings(H5Dget_create_plist(dataset.id), H5Pclose, dataset.words + " is damaged");
+  const Handle settings = settings_of(dataset);
   const H5D_layout_t layout = H5Pget_layout(settings);
-  require(layout != H5D_VIRTUAL && H5Pget_external_count(settings) == 0,
-          dataset.words + " keeps its data in another file");
-  require_known_filters(settings, dataset.words);
-  require(
-      bytes_of(dataset.extent, value_size) <= 1100.0 * static_cast<double>(H5Dget_storage_size(dataset.id)),
-      dataset.words + " has an extent that its data do not fill");
+  require(bytes_of(dataset.extent, value_size) <= 1100.0 * stored_bytes(dataset),
+          dataset.words + " has an extent that its data do not fill");
   const bool is_empty = std::find(dataset.extent.begin(), dataset.extent.end(), 0U) != dataset.extent.end();
   if (layout == H5D_CHUNKED && !is_empty) require_chunks(dataset, settings, value_size);
 }
@@ -87,8 +109,14 @@ void require_stored(const Dataset& dataset, std::size_t value_size) {
 
 Handle open_file(const std::string& path) {
   require(std::filesystem::is_regular_file(path), "there is no such file");
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-          "is no HDF5 file, or is cut short or damaged"};
+  require(heaps_are_sound(path), "is damaged: lengths in a heap of its texts are wrong");
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+              "is no HDF5 file, or is cut short or damaged");
+  const Handle settings(H5Fget_create_plist(file), H5Pclose, "is damaged");
+  std::size_t address = 0, length = 0;
+  require(H5Pget_sizes(settings, &address, &length) >= 0 && address == 8 && length == 8,
+          "has addresses and lengths that are not of 64 bits");
+  return file;
 }
 
 Handle open_group(hid_t parent, const std::string& name) {
@@ -129,6 +157,7 @@ Dataset open_dataset(hid_t parent, const std::string& name, std::size_t rank, H5
       words, Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, words + " is no dataset"), {}};
   const Handle type(H5Dget_type(dataset.id), H5Tclose, words + " is damaged");
   require_type(type, kind, size, words);
+  require_inside(dataset);
   dataset.extent = extent_of(dataset.id, rank, words);
   require_stored(dataset, size);
   return dataset;

@@ -11,7 +11,7 @@
 
 namespace mpm::hdf5 {
 
-/// @throws Fault when it is no file or none of HDF5.
+/// @throws Fault when it is no file, none of HDF5, or one that HDF5 would not get through.
 [[nodiscard]] Handle open_file(const std::string& path);
 
 /// A part of a group, by its own name.   @throws Fault when it is missing or a link to somewhere else.

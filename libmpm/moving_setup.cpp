@@ -33,6 +33,12 @@ moving::Integrate<Real> undamped_integrate(const Scene& scene, moving::Features 
 /// Rows of a band: no two may meet in one row of nodes with a third.
 int least_rows(const MovingGeometry& geometry) { return geometry.reach - 1; }
 
+/// The tile of `count` in which a place lies, from 0 on; the nearest one for a place outside, the first for
+/// none.
+int tile_at(double place, int count) {
+  return place >= 1 ? static_cast<int>(std::min(place, count - 1.0)) : 0;
+}
+
 }  // namespace
 
 template <class Real>
@@ -151,8 +157,7 @@ template <class Real>
 TilePlace MovingSolver<Real>::place_of(double x, double y, Real& xi, Real& eta) const {
   const double tile_x = (x - geometry_.left) / plan_.cell_size - geometry_.tile_offset;
   const double tile_y = (y - geometry_.bottom) / cell_height(clock_.displacement) - geometry_.tile_offset;
-  const int col = std::clamp(static_cast<int>(std::floor(tile_x)), 0, geometry_.tiles_x - 1);
-  const int row = std::clamp(static_cast<int>(std::floor(tile_y)), 0, geometry_.tiles_y - 1);
+  const int col = tile_at(tile_x, geometry_.tiles_x), row = tile_at(tile_y, geometry_.tiles_y);
   xi = static_cast<Real>(tile_x - col);
   eta = static_cast<Real>(tile_y - row);
   return {row, col};

@@ -9,6 +9,7 @@
 
 #include "libmpm/error.hpp"
 #include "libmpm/idle_cores.hpp"
+#include "libmpm/require.hpp"
 #include "libmpm/softening.hpp"
 #include "libmpm/strength.hpp"
 #include "libmpm/strength_field.hpp"
@@ -58,6 +59,29 @@ moving::Return return_of(const Motion& motion) {
   return motion.flip_ratio < 1 ? moving::Return::blend : moving::Return::flip;
 }
 
+/// Cells beyond the picture, as whole numbers.
+/// @throws Error for a grid that no memory holds, before it is asked for.
+void set_margins(const Scene& scene, double cell_size, MovingPlan& plan) {
+  const Motion& motion = scene.motion;
+  const double margin = motion.margin < 0 ? 0.25 * scene.width() : motion.margin;
+  const double cells = std::ceil(margin / cell_size - 1e-9);
+  const bool flies = scene.loading.direction == Direction::none;
+  const auto beyond = [&](Edge edge) { return edge == Edge::closed || edge == Edge::open ? cells : 0; };
+  const double left = beyond(motion.left), right = beyond(motion.right);
+  const double bottom = flies ? beyond(motion.bottom) : 0, top = flies ? beyond(motion.top) : 0;
+  constexpr double most = 200e6;
+  const double wanted =
+      (scene.width() / cell_size + left + right) * (scene.height() / cell_size + bottom + top);
+  // A grid without a margin is as large as the picture, which has its own limit.
+  if (left + right + bottom + top > 0 && !(wanted <= most))
+    throw Error("motion.margin", text(margin, "m"),
+                "makes a grid of " + text(wanted, "cells") + ", 200 million are allowed", "make it smaller");
+  plan.margin_left = static_cast<int>(left);
+  plan.margin_right = static_cast<int>(right);
+  plan.margin_bottom = static_cast<int>(bottom);
+  plan.margin_top = static_cast<int>(top);
+}
+
 MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, double cell_size) {
   const Motion& motion = scene.motion;
   MovingPlan plan;
@@ -80,15 +104,7 @@ MovingPlan moving_plan(const Scene& scene, const kernels::Features& features, do
   // in.
   const bool wide = motion.shape != Shape::linear && plan.half_size >= 0.5;
   plan.crack_band = wide ? 1.95 * cell_size : cell_size;
-  const double margin = motion.margin < 0 ? 0.25 * scene.width() : motion.margin;
-  const int cells = static_cast<int>(std::ceil(margin / cell_size - 1e-9));
-  const auto beyond = [&](Edge edge) { return edge == Edge::closed || edge == Edge::open ? cells : 0; };
-  plan.margin_left = beyond(motion.left);
-  plan.margin_right = beyond(motion.right);
-  if (scene.loading.direction == Direction::none) {
-    plan.margin_bottom = beyond(motion.bottom);
-    plan.margin_top = beyond(motion.top);
-  }
+  set_margins(scene, cell_size, plan);
   return plan;
 }
 

@@ -1,5 +1,6 @@
 #include "libmpm/scene.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -149,6 +150,12 @@ void validate_solver(const Scene& scene) {
   require(std::isfinite(scene.damage.correlation_length) && scene.damage.correlation_length >= 0,
           "damage.correlation_length", text(scene.damage.correlation_length, "m"),
           "must be > 0, or 0 for points that are drawn on their own");
+  // The places of the random field are numbered by 31 bits.
+  require(scene.damage.correlation_length == 0 ||
+              std::max(scene.width(), scene.height()) / scene.damage.correlation_length < 1e9,
+          "damage.correlation_length", text(scene.damage.correlation_length, "m"),
+          "must be more than a billionth of the specimen",
+          "leave it out for points that are drawn on their own");
   require(scene.threads >= 0 && scene.threads <= 1024, "solver.threads", std::to_string(scene.threads),
           "must lie in 1 ... 1024, or 0 for as many as have work and a core");
   require(scene.history_rows >= 10, "output.history_rows", std::to_string(scene.history_rows),

@@ -155,7 +155,7 @@ void note_result(const Segmented& segmented, ConvertReport& report) {
 
 Converted convert_picture(const std::string& path, const ConvertOptions& options) {
   check_options(options);
-  const Picture picture = cropped(read_picture(path), options.crop);
+  const Picture picture = cropped(read_picture(path, options.max_pixels), options.crop);
   Converted result;
   ConvertReport& report = result.report;
   report.source_pixel_size = source_pixel_size(picture, options, report);

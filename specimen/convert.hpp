@@ -70,7 +70,8 @@ struct ConvertOptions {
   /// labels: value -> phase name, for every value of the picture; empty = all guessed and told.
   std::vector<std::pair<std::int64_t, std::string>> label_phases;
 
-  double source_pixel_size = 0;  ///< [m]; 0 = from the file's resolution tag
+  std::int64_t max_pixels = 200'000'000;  ///< of the file; a larger picture is refused before it is decoded
+  double source_pixel_size = 0;           ///< [m]; 0 = from the file's resolution tag
   double width = 0;  ///< of the (cropped) picture [m]; the other way to give the scale; 0 = not given
   Crop crop;
   /// Columns of the mask; 0 = as the picture. The rows follow and are an even number: the last one has at

@@ -11,6 +11,8 @@
 namespace specimen {
 namespace {
 
+constexpr std::int64_t most_pixels = 2'000'000'000;  ///< pixels are numbered by 31 bits
+
 bool uses_thresholds(Segmentation method) {
   return method == Segmentation::threshold || method == Segmentation::otsu ||
          method == Segmentation::multi_otsu;
@@ -104,6 +106,9 @@ void check_scale(const ConvertOptions& o) {
     throw Error("convert.pixel_size",
                 length_text(o.source_pixel_size) + " beside a width of " + length_text(o.width),
                 "one of them sets the scale", "leave one out");
+  if (o.max_pixels < 1 || o.max_pixels > most_pixels)
+    throw Error("convert.max_pixels", std::to_string(o.max_pixels),
+                "must lie in [1, " + std::to_string(most_pixels) + "]");
   if (o.pixels < 0 || o.pixels > 100'000)
     throw Error("convert.pixels", std::to_string(o.pixels), "1 to 100,000; 0 = as the picture");
 }

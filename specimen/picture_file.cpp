@@ -19,6 +19,11 @@ Error bad_picture(const std::string& path, std::string problem, std::string cure
   return {path, std::move(problem), "", std::move(cure)};
 }
 
+Error several_pictures(const std::string& path, std::string what_it_is) {
+  return {path, std::move(what_it_is), "must hold one picture",
+          "save the one that is meant as a file of its own"};
+}
+
 PictureSource open_picture(const std::string& path, std::int64_t max_pixels) {
   PictureSource source{path, max_pixels, 0, nullptr};
   // Looked at before opening: opening a pipe would wait for its other end.

@@ -29,6 +29,10 @@ struct PictureSource {
 /// The error for a file whose content is at fault: "path: problem; cure".
 [[nodiscard]] Error bad_picture(const std::string& path, std::string problem, std::string cure = {});
 
+/// The error for a file of several pictures, where nobody can say which one is meant: "path: holds several
+/// pages; ...".
+[[nodiscard]] Error several_pictures(const std::string& path, std::string what_it_is);
+
 /// Open a picture for reading.   @throws Error (Fault::write) with the system's reason.
 [[nodiscard]] PictureSource open_picture(const std::string& path, std::int64_t max_pixels);
 

@@ -50,7 +50,7 @@ void check_size(const PictureSource& source, std::int64_t rows, std::int64_t col
   if (rows <= 0 || cols <= 0) throw bad_picture(source.path, "holds " + size);
   if (rows > INT32_MAX || cols > INT32_MAX || rows > source.max_pixels / cols)
     throw Error(source.path, size, "at most " + std::to_string(source.max_pixels) + " pixels are allowed",
-                "make the picture smaller");
+                "make the picture smaller, or raise convert.max_pixels");
   if (source.bytes < least_bytes)
     throw bad_picture(source.path,
                       "is cut off: " + std::to_string(source.bytes) + " bytes cannot hold " + size);

@@ -52,12 +52,24 @@ struct PngReader {
   [[nodiscard]] bool gray() const { return (colour_type() & PNG_COLOR_MASK_COLOR) == 0; }
 };
 
+constexpr const png_byte animation[] = "acTL";  ///< chunk that counts the pictures of an animation
+
 bool read_header(PngReader& reader, std::FILE* file) {
   if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
   png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size has the say
+  png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_ALWAYS, animation, 1);
   png_init_io(reader.png, file);
   png_read_info(reader.png, reader.info);
   return true;
+}
+
+bool is_animation(const PngReader& reader) {
+  png_unknown_chunkp chunks = nullptr;
+  const int count = png_get_unknown_chunks(reader.png, reader.info, &chunks);
+  return std::any_of(chunks, chunks + count, [](const png_unknown_chunk& chunk) {
+    return std::equal(chunk.name, chunk.name + 4, animation) && chunk.size >= 4 &&
+           png_get_uint_32(chunk.data) > 1;
+  });
 }
 
 /// Ask for bytes as they are needed: grey as stored, a palette as indices, colour as 8-bit RGB or RGBA.
@@ -201,6 +213,7 @@ Picture read_png(const PictureSource& source) {
   check_size(source, n_rows, n_cols, 0);
   // Deflate never packs tighter than 1032 to 1, so a short file cannot claim a huge picture.
   check_size(source, n_rows, n_cols, n_rows * n_cols * bits / 8 / 1032);
+  if (is_animation(reader)) throw several_pictures(source.path, "is an animated PNG");
   if (!choose_transforms(reader)) throw damaged();
 
   const std::size_t stride = png_get_rowbytes(reader.png, reader.info);

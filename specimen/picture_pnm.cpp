@@ -34,6 +34,13 @@ class PnmReader {
     return static_cast<int>(value);
   }
 
+  /// Whether another picture begins where the file stands.
+  bool another_follows() {
+    int c = next();
+    while (std::isspace(c) != 0) c = next();
+    return c == 'P' && std::isdigit(next()) != 0;
+  }
+
  private:
   const PictureSource& source_;
 };
@@ -116,6 +123,7 @@ Picture read_pnm(const PictureSource& source) {
     read_row(reader, source, header, row_values);
     store_row(picture, row, header, row_values);
   }
+  if (reader.another_follows()) throw several_pictures(source.path, "is a PNM of several pictures");
   return picture;
 }
 

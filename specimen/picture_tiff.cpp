@@ -158,7 +158,9 @@ class TiffReader {
   }
 
   Picture read() {
+    check_alone();
     const TiffTags tags = read_tags(tiff_.get(), source_);
+    check_tiles(tags);
     Picture picture;
     picture.bits = tags.bits;
     picture.pixel_size = pixel_size(tiff_.get());
@@ -175,6 +177,32 @@ class TiffReader {
   [[nodiscard]] Error damaged() const {
     const std::string reason = messages_.text.data();
     return bad_picture(source_.path, reason.empty() ? "is a damaged TIFF" : "is a damaged TIFF: " + reason);
+  }
+
+  /// Previews, levels of a pyramid and masks of the first picture are none of their own.
+  void check_alone() {
+    constexpr int most_directories = 32;  // of a pyramid of any size
+    for (int i = 0; TIFFReadDirectory(tiff_.get()) == 1; ++i) {
+      std::uint32_t kind = 0;
+      TIFFGetField(tiff_.get(), TIFFTAG_SUBFILETYPE, &kind);
+      if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0 || i == most_directories)
+        throw several_pictures(source_.path, "is a TIFF of several pages");
+    }
+    messages_ = {};  // what is wrong behind the first picture is no fault of it
+    if (TIFFSetDirectory(tiff_.get(), 0) != 1) throw damaged();
+  }
+
+  /// libtiff unpacks a tile in one piece, and a few bytes can claim one of any size.
+  void check_tiles(const TiffTags& tags) {
+    if (TIFFIsTiled(tiff_.get()) == 0) return;
+    std::uint32_t rows = 0, cols = 0;
+    TIFFGetField(tiff_.get(), TIFFTAG_TILELENGTH, &rows);
+    TIFFGetField(tiff_.get(), TIFFTAG_TILEWIDTH, &cols);
+    constexpr double usual = 2048.0 * 2048.0;  // [px]
+    if (double{1} * rows * cols > std::max(usual, 2.0 * tags.rows * tags.cols))
+      throw Error(source_.path,
+                  "has tiles of " + std::to_string(cols) + " x " + std::to_string(rows) + " pixels",
+                  "must not be larger than the picture", "save it without tiles");
   }
 
   Raster<double> channel(const TiffTags& tags) {

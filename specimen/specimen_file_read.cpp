@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "specimen/specimen_file.hpp"
+#include "specimen/specimen_file_heap.hpp"
 #include "specimen/specimen_file_source.hpp"
 #include "specimen/validate.hpp"
 
@@ -125,6 +126,9 @@ void check_signature(const std::string& path) {
   if (H5Fis_hdf5(path.c_str()) <= 0)
     throw Error(path, "is no HDF5 file", "must be a specimen",
                 "turn a picture into one with: mesopix convert");
+  if (!hdf5::heaps_are_sound(path))
+    throw Error(path, "lengths in a heap of its texts are wrong", {},
+                "the file is damaged: take a copy of it, or make the specimen again");
 }
 
 Specimen read_checked(const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 namespace specimen::hdf5 {
 namespace {
@@ -33,15 +34,18 @@ bool fits(const Extent& extent, hsize_t limit) {
   return true;
 }
 
-/// Filters that HDF5 itself brings. It would load any other from a plug-in folder and run it.
+/// Filters that HDF5 itself brings, each of them once. It would load any other from a plug-in folder and run
+/// it; one over its own output would unpack a few bytes to any number of them.
 void check_filters(hid_t options, const std::string& name) {
+  std::set<H5Z_filter_t> known{H5Z_FILTER_DEFLATE, H5Z_FILTER_SHUFFLE, H5Z_FILTER_FLETCHER32};
   for (int i = 0; i < H5Pget_nfilters(options); ++i) {
     unsigned flags = 0;
     std::size_t n_values = 0;
     const H5Z_filter_t filter =
         H5Pget_filter2(options, static_cast<unsigned>(i), &flags, &n_values, nullptr, 0, nullptr, nullptr);
-    if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32)
-      throw Error(name, "filter " + to_string(filter), "must be gzip, shuffle or fletcher32");
+    if (known.erase(filter) == 0)
+      throw Error(name, "filter " + to_string(filter),
+                  "must be gzip, shuffle or fletcher32, each of them once");
   }
 }
 
@@ -60,12 +64,18 @@ void check_chunks(const Dataset& dataset, hid_t options, std::size_t value_size)
                 "must be complete", "write the specimen again");
 }
 
-void check_storage(const Dataset& dataset, std::size_t value_size) {
+/// Before the extent is asked for: HDF5 opens the other files to know how far they reach.
+void check_inside(const Dataset& dataset) {
   const Handle options(H5Dget_create_plist(dataset.id), dataset.name);
   const H5D_layout_t layout = H5Pget_layout(options);
   if ((layout != H5D_CHUNKED && layout != H5D_CONTIGUOUS) || H5Pget_external_count(options) > 0)
     throw Error(dataset.name, "keeps its data elsewhere", "must be part of the file itself");
   check_filters(options, dataset.name);
+}
+
+void check_storage(const Dataset& dataset, std::size_t value_size) {
+  const Handle options(H5Dget_create_plist(dataset.id), dataset.name);
+  const H5D_layout_t layout = H5Pget_layout(options);
   if (is_empty(dataset.extent)) return;
   if (layout == H5D_CHUNKED) check_chunks(dataset, options, value_size);
   if (layout == H5D_CONTIGUOUS && H5Dget_storage_size(dataset.id) == 0)
@@ -120,6 +130,7 @@ std::string text_of(const Extent& extent) {
 
 Dataset open_dataset(hid_t file, const std::string& name, hid_t type, int rank, std::int64_t limit) {
   Dataset dataset{name, open_object(file, name, H5I_DATASET), {}};
+  check_inside(dataset);
   dataset.extent = extent_of(dataset.id, rank, name);
   if (!fits(dataset.extent, static_cast<hsize_t>(limit)))
     throw Error(name, text_of(dataset.extent) + " values", "must be at most " + to_string(limit));

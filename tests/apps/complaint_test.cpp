@@ -22,8 +22,29 @@ TEST(Complaint, StaysOnOneLineWhateverTheUserWrote) {
   EXPECT_EQ(text(app::complaint("--title", "two\nlines\x1b[31m", "", "")), "--title: two?lines?[31m");
 }
 
+TEST(Complaint, IsCutWhereNobodyReadsOn) {
+  EXPECT_EQ(text(app::complaint(std::string(5000, 'a'), "1", "")), std::string(2000, 'a') + "...: 1");
+}
+
+TEST(Printable, LeavesNothingThatATerminalObeys) {
+  EXPECT_EQ(app::printable("caf\xC3\xA9 \xF0\x9F\x98\x80 10 \xC2\xB5m"),
+            "caf\xC3\xA9 \xF0\x9F\x98\x80 10 \xC2\xB5m");
+  EXPECT_EQ(app::printable("a\x7F"
+                           "b\xC2\x9B"
+                           "31mc\xE2\x80\xAE"
+                           "d\xE2\x81\xA6"
+                           "e"),
+            "a?b?31mc?d?e");
+  EXPECT_EQ(app::printable("caf\xE9 \xC2"), "caf? ?") << "bytes that are no UTF-8";
+  EXPECT_EQ(app::printable("one\ntwo\r"), "one?two?");
+  EXPECT_EQ(app::printable_lines("one\ntwo\r"), "one\ntwo?");
+}
+
 TEST(Quoted, EscapesAsTomlDoes) {
   EXPECT_EQ(app::quoted("a \"b\" \\ c\n\t\x01"), "\"a \\\"b\\\" \\\\ c\\n\\t\\u0001\"");
+  EXPECT_EQ(app::quoted("\xC2\x9B"
+                        "31m \xE2\x80\xAE caf\xC3\xA9"),
+            "\"\\u009B31m \\u202E caf\xC3\xA9\"");
 }
 
 TEST(IsUtf8, TellsTextFromOtherBytes) {

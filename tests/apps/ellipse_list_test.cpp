@@ -4,6 +4,9 @@
 
 #include <numbers>
 
+#include "tests/apps/refusal.hpp"
+#include "tests/damaged.hpp"
+
 namespace {
 
 std::vector<specimen::Ellipse> parse(const std::string& text) {
@@ -64,6 +67,27 @@ TEST(EllipseList, NamesEveryBadRow) {
       "to the angle\n"
       "list.csv:6:1: ellipse 1: its short semi-axis b = 0 m must be > 0\n"
       "list.csv:7:1: x: \"1 mm\"; must be a number, its unit is in the header");
+}
+
+TEST(EllipseList, DamagedIsReadOrRefused) {
+  const std::string good =
+      "\xEF\xBB\xBFx_mm, y_mm,a_mm,b_mm,angle_deg\r\n# two of them\n10,12,4,3,30\n25,2e1,5.5,2,-10\n";
+  std::size_t refused = 0;
+  test::damage_text(good, [&](const std::string& text) {
+    refused += test::refusal([&] { (void)app::parse_ellipse_list(text, "list.csv"); }) == "nothing" ? 0 : 1;
+  });
+  EXPECT_GT(refused, 5 * good.size());
+}
+
+TEST(EllipseList, GoesNoFurtherWhereNobodyReadsOn) {
+  std::string text = "x_mm,y_mm,a_mm,b_mm\n";
+  for (int i = 0; i < 5000; ++i) text += "1,2,3,x\n";
+  try {
+    (void)app::parse_ellipse_list(text, "list.csv");
+    FAIL() << "it was read";
+  } catch (const app::Rejected& rejected) {
+    EXPECT_EQ(rejected.complaints.size(), app::most_complaints);
+  }
 }
 
 TEST(EllipseList, AMissingFileIsAMatterOfTheDisk) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/damaged.hpp"
+
 namespace {
 
 using testing::ElementsAre;
@@ -115,6 +117,43 @@ TEST(SceneFile, RefusesWhatIsNoToml) {
   EXPECT_THAT(complaints[0], testing::StartsWith("dir/scene.toml:2:12: not TOML: "));
   EXPECT_EQ(complaints[0].find('\n'), std::string::npos);
   EXPECT_THAT(complaints_about("[loading]\n[loading]\n"), ElementsAre(testing::HasSubstr("not TOML")));
+}
+
+TEST(SceneFile, RefusesNumbersThatAreNoneAndTextThatIsNone) {
+  for (const char* number : {"nan", "inf", "-inf", "1e400", "[nan]"})
+    EXPECT_EQ(complaints_about(std::string("[solver]\ncfl = ") + number).size(), 1u) << number;
+  EXPECT_THAT(complaints_about("title = \"caf\xE9\"\n"),
+              ElementsAre(testing::StartsWith("dir/scene.toml:1:12: not TOML")));
+  EXPECT_THAT(complaints_about("a.b\x1b[2J = 1\n"), ElementsAre(testing::Not(testing::HasSubstr("\x1b"))));
+}
+
+TEST(SceneFile, RefusesWhatNestsDeeperThanAnyParserGoes) {
+  std::string deep = "a";
+  for (int i = 0; i < 100'000; ++i) deep += ".a";
+  EXPECT_THAT(complaints_about(deep + " = 1"), ElementsAre(testing::HasSubstr("nested too deep")));
+  EXPECT_THAT(complaints_about("a = " + std::string(100'000, '[')),
+              ElementsAre(testing::HasSubstr("nested too deep")));
+}
+
+TEST(SceneFile, GoesNoFurtherWhereNobodyReadsOn) {
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) text += "key_" + std::to_string(i) + " = 1\n";
+  EXPECT_EQ(complaints_about(text).size(), app::most_complaints);
+  text.clear();
+  for (int i = 0; i < 256; ++i) text += "[phases.p" + std::to_string(i) + "]\n";
+  EXPECT_THAT(complaints_about(text),
+              ElementsAre("dir/scene.toml:1:1: phases: 256 tables; must be at most 255"));
+}
+
+TEST(SceneFile, DamagedIsReadOrRefused) {
+  const std::string good =
+      "title = \"a\"\n[loading]\nvelocity = \"5 mm/s\"\n[phases.itz]\nyoung = \"2 GPa\"\n[convert]\ncrop = "
+      "[1, 2]\n"
+      "[[ellipses]]\nx = 1.5e-2\ny = \"2 mm\"\na = '3 mm'\nb = \"1 mm\"\n";
+  std::size_t refused = 0;
+  test::damage_text(good,
+                    [&](const std::string& text) { refused += complaints_about(text).empty() ? 0 : 1; });
+  EXPECT_GT(refused, 10 * good.size());
 }
 
 TEST(SceneFile, RefusesSettingsWithoutEffect) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "apps/complaint.hpp"
+#include "tests/apps/refusal.hpp"
+#include "tests/damaged.hpp"
 
 namespace {
 
@@ -42,6 +44,15 @@ TEST(TargetCurve, LocatesWhatIsNoHeader) {
             "lab.csv:1:8: stress_mm: needs the unit of a pressure" + cure);
   EXPECT_EQ(complaint_about("strain,stress_Pa,stress_MPa\n"),
             "lab.csv:1:18: stress_MPa: column given twice; remove one");
+}
+
+TEST(TargetCurve, DamagedIsReadOrRefused) {
+  const std::string good = "strain_%,stress_MPa,note\n0,0,-\n0.01,2.5e0,-\n0.02,3.0,-\n0.03,1.5,-\n";
+  std::size_t refused = 0;
+  test::damage_text(good, [&](const std::string& text) {
+    refused += test::refusal([&] { (void)app::parse_target_curve(text, "curve.csv"); }) == "nothing" ? 0 : 1;
+  });
+  EXPECT_GT(refused, 5 * good.size());
 }
 
 TEST(TargetCurve, LocatesWhatIsNoRow) {

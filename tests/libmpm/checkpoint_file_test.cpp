@@ -100,6 +100,12 @@ TEST_F(CheckpointFile, SaysWhatCannotBeRead) {
   EXPECT_THAT(complaint(), StartsWith("is a folder"));
 }
 
+TEST_F(CheckpointFile, AsksForNoMemoryForWhatIsNone) {
+  test::write_text(path_, "anything");
+  std::filesystem::resize_file(path_, std::uintmax_t{1} << 42U);
+  EXPECT_THAT(complaint(), StartsWith("is no checkpoint"));
+}
+
 /// The bytes with a digest that is right.
 std::string sealed(std::string bytes) {
   bytes.resize(bytes.size() - mpm::sha256_bytes);

@@ -2,7 +2,9 @@
 #include "libmpm/hdf5_read.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -109,6 +111,40 @@ TEST_F(Hdf5Read, ReadsNoOtherFileAndNoFilterFromAPlugIn) {
                 create(f, damage, H5T_IEEE_F32LE, {2}, packed.id, nullptr);
               }),
               HasSubstr("dataset damage is packed by filter 32001, which is none of HDF5's own"));
+}
+
+/// HDF5 opens the sources of a view to know how far it reaches, and would wait for ever for one that is a
+/// pipe.
+TEST_F(Hdf5Read, DoesNotLookHowFarAViewReaches) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(verdict([&](hid_t f) {
+                const Creation view;
+                const hsize_t two = 2, endless = H5S_UNLIMITED, first = 0, one = 1;
+                const hid_t space = H5Screate_simple(1, &two, &endless);
+                H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &one, &endless);
+                H5Pset_virtual(view.id, space, pipe.c_str(), "damage", space);
+                H5Ldelete(f, "VTKHDF/PointData/damage", H5P_DEFAULT);
+                const hid_t dataset = H5Dcreate2(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, space,
+                                                 H5P_DEFAULT, view.id, H5P_DEFAULT);
+                ASSERT_GE(dataset, 0);
+                H5Dclose(dataset);
+                H5Sclose(space);
+              }),
+              HasSubstr("dataset damage keeps its data in another file"));
+}
+
+TEST_F(Hdf5Read, UnpacksNothingTwice) {
+  EXPECT_THAT(verdict([&](hid_t f) {
+                const Creation packed;
+                const hsize_t two = 2;
+                const std::array<float, 2> values{};
+                H5Pset_chunk(packed.id, 1, &two);
+                for (const unsigned level : {9U, 9U})
+                  H5Pset_filter(packed.id, H5Z_FILTER_DEFLATE, H5Z_FLAG_MANDATORY, 1, &level);
+                create(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, packed.id, values.data());
+              }),
+              HasSubstr("dataset damage is packed twice by filter 1"));
 }
 
 TEST_F(Hdf5Read, TakesNoZerosForChunksThatAreNotThere) {

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
+#include <utility>
 
+#include "libmpm/moving_start.hpp"
+#include "libmpm/plan.hpp"
 #include "libmpm/simulate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
@@ -248,6 +252,19 @@ TEST(Edges, APlaneOfSymmetryStandsForTheOtherHalf) {
     const double tolerance = shape == mpm::Shape::linear ? 1e-12 : shape == mpm::Shape::gimp ? 1e-3 : 0.1;
     EXPECT_LT(error, tolerance * size);
   }
+}
+
+/// As a run on its way to divergence hands them over: no index follows from such a place.
+TEST(MovingSolver, TakesPointsFromAnywhere) {
+  const Scene scene = thrown_disc();
+  const mpm::Plan plan = mpm::plan(scene);
+  mpm::MovingStart start = mpm::start_of(scene, plan);
+  const std::size_t count = start.points.size();
+  start.points[0].x = -1e300;
+  start.points[1].y = 1e300;
+  start.points[2].x = std::numeric_limits<double>::quiet_NaN();
+  const mpm::MovingSolver<double> solver(scene, plan, std::move(start));
+  EXPECT_EQ(solver.points().size(), count);
 }
 
 /// A block between platens.

@@ -27,6 +27,25 @@ TEST(Plan, TimeStepAndStepsOfThePapersTensionTest) {
   EXPECT_EQ(plan.steps_per_row, 10);
 }
 
+TEST(Plan, RefusesAGridThatNoMemoryHolds) {
+  const auto message = [](double margin) -> std::string {
+    mpm::Scene scene = samples::mortar_block(10, 10);  // pixels of 0.5 mm, cells of 1 mm
+    scene.kinematics = mpm::Kinematics::moving;
+    scene.motion.margin = margin;
+    try {
+      (void)mpm::plan(scene);
+    } catch (const mpm::Error& error) {
+      return error.what();
+    }
+    return "planned";
+  };
+  EXPECT_EQ(message(19'999), "planned");
+  EXPECT_EQ(
+      message(21'000),
+      "motion.margin: 21000 m; makes a grid of 2.1e+08 cells, 200 million are allowed; make it smaller");
+  EXPECT_THAT(message(1e300), testing::HasSubstr("motion.margin: 1e+300 m"));  // no number of 32 bits
+}
+
 TEST(Plan, TakesTheThreadsThatHaveEnoughToDo) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   mpm::Scene scene = samples::mortar_block(120, 120);

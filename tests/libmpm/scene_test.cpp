@@ -193,6 +193,9 @@ TEST(Validate, RefusesNotANumber) {
   EXPECT_NE(message_after([](Scene& s) { s.cfl = nan; }), "valid");
   EXPECT_NE(message_after([](Scene& s) { s.motion.flip_ratio = nan; }), "valid");
   EXPECT_NE(message_after([](Scene& s) { s.motion.margin = nan; }), "valid");
+  EXPECT_EQ(message_after([](Scene& s) { s.damage.correlation_length = 1e-300; }),
+            "damage.correlation_length: 1e-300 m; must be more than a billionth of the specimen; leave it "
+            "out for points that are drawn on their own");
   EXPECT_NE(message_after([](Scene& s) { s.handover.strain = nan; }), "valid");
   EXPECT_NE(message_after([](Scene& s) { s.handover.displacement = nan; }), "valid");
   EXPECT_NE(message_after([](Scene& s) { s.loading.initial_velocity_x = nan; }), "valid");

@@ -1,9 +1,9 @@
-#include <png.h>
-
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "specimen/picture.hpp"
 #include "tests/specimen/picture_checks.hpp"
+#include "tests/specimen/png_recipe.hpp"
 
 namespace {
 
@@ -12,45 +12,9 @@ using specimen::Raster;
 using specimen::Rgb;
 using specimen_test::expect_refused;
 using specimen_test::FileBytes;
+using specimen_test::make_png;
+using specimen_test::PngRecipe;
 using specimen_test::Scratch;
-
-/// What to put in a PNG; libpng itself writes it.
-struct PngRecipe {
-  int cols = 0, rows = 0, bits = 8, colour_type = PNG_COLOR_TYPE_GRAY;
-  bool interlaced = false;
-  std::vector<std::uint8_t> data{};  ///< rows as libpng wants them
-  std::vector<png_color> palette{};
-  std::vector<std::uint8_t> opacity{};  ///< of the palette
-};
-
-FileBytes make_png(const PngRecipe& recipe) {
-  FileBytes bytes;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-  png_infop info = png_create_info_struct(png);
-  png_set_write_fn(
-      png, &bytes,
-      [](png_structp p, png_bytep data, std::size_t n) {
-        auto* out = static_cast<FileBytes*>(png_get_io_ptr(p));
-        out->insert(out->end(), data, data + n);
-      },
-      nullptr);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(recipe.cols), static_cast<png_uint_32>(recipe.rows),
-               recipe.bits, recipe.colour_type, recipe.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (!recipe.palette.empty())
-    png_set_PLTE(png, info, recipe.palette.data(), static_cast<int>(recipe.palette.size()));
-  if (!recipe.opacity.empty())
-    png_set_tRNS(png, info, recipe.opacity.data(), static_cast<int>(recipe.opacity.size()), nullptr);
-  png_write_info(png, info);
-  const std::size_t stride = png_get_rowbytes(png, info);
-  std::vector<png_bytep> rows;
-  FileBytes data = recipe.data;
-  for (int r = 0; r < recipe.rows; ++r) rows.push_back(data.data() + static_cast<std::size_t>(r) * stride);
-  png_write_image(png, rows.data());
-  png_write_end(png, info);
-  png_destroy_write_struct(&png, &info);
-  return bytes;
-}
 
 TEST(PicturePng, KeepsGrayValuesOfEveryDepthAsStored) {
   const Scratch scratch;
@@ -127,6 +91,23 @@ TEST(PicturePng, RefusesAnIndexOutsideThePalette) {
   recipe.data = {0b00110000};
   expect_refused(scratch.write("index.png", make_png(recipe)),
                  "pixel in row 0, column 1 has colour 3 of a palette with 3 colours");
+}
+
+TEST(PicturePng, RefusesAnAnimation) {
+  const Scratch scratch;
+  const FileBytes still = make_png({2, 1, 8, PNG_COLOR_TYPE_GRAY, false, {7, 9}});
+  const auto with_pictures = [&](std::uint8_t count) {
+    FileBytes chunk{0, 0, 0, 8, 'a', 'c', 'T', 'L', 0, 0, 0, count, 0, 0, 0, 0};
+    const auto sum = static_cast<std::uint32_t>(crc32(0, &chunk[4], 12));
+    for (const unsigned shift : {24U, 16U, 8U, 0U}) chunk.push_back(static_cast<std::uint8_t>(sum >> shift));
+    FileBytes bytes = still;
+    bytes.insert(bytes.begin() + 33, chunk.begin(), chunk.end());  // behind the signature and IHDR
+    return scratch.write("moves.png", bytes);
+  };
+  EXPECT_EQ(specimen::read_picture(with_pictures(1)).gray(0, 1), 9);
+  expect_refused(
+      with_pictures(2),
+      "is an animated PNG; must hold one picture; save the one that is meant as a file of its own");
 }
 
 TEST(PicturePng, RefusesAHugeClaimBeforeItAsksForMemory) {

@@ -32,6 +32,15 @@ TEST(PicturePnm, ReadsBytesOfEightAndSixteenBits) {
   EXPECT_EQ(colour.colour(0, 0), (Rgb{1, 2, 3}));
 }
 
+TEST(PicturePnm, RefusesSeveralPictures) {
+  const Scratch scratch;
+  const std::string several =
+      "is a PNM of several pictures; must hold one picture; save the one that is meant as a file of its own";
+  expect_refused(scratch.write("two.pgm", "P5 2 1 255\nabP5 2 1 255\nab"), several);
+  expect_refused(scratch.write("two.ppm", "P3 1 1 9 1 2 3\n\nP3 1 1 9 1 2 3\n"), several);
+  (void)specimen::read_picture(scratch.write("rest.pgm", "P5 2 1 255\nab\nPixels of mine"));
+}
+
 TEST(PicturePnm, RefusesWhatTheHeaderForbids) {
   const Scratch scratch;
   const auto refused = [&](const std::string& content, const std::string& text) {

@@ -10,6 +10,7 @@
 
 #include "specimen/picture.hpp"
 #include "tests/specimen/picture_checks.hpp"
+#include "tests/specimen/tiff_recipe.hpp"
 
 namespace {
 
@@ -18,56 +19,12 @@ using specimen::Rgb;
 using specimen_test::expect_refused;
 using specimen_test::FileBytes;
 using specimen_test::Scratch;
-
-/// What to put in a TIFF; libtiff itself writes it.
-struct TiffRecipe {
-  int cols = 2, rows = 2;
-  int bits = 8, format = SAMPLEFORMAT_UINT, samples = 1;
-  int photometric = PHOTOMETRIC_MINISBLACK, compression = COMPRESSION_NONE, orientation = ORIENTATION_TOPLEFT;
-  int tile = 0;  ///< edge [px]; 0 = strips
-  bool big_endian = false;
-};
+using specimen_test::TiffRecipe;
 
 template <class T>
-std::string make_tiff(const Scratch& scratch, const TiffRecipe& recipe, std::vector<T> data) {
+std::string make_tiff(const Scratch& scratch, const TiffRecipe& recipe, const std::vector<T>& data) {
   const std::string path = scratch.file("recipe.tif");
-  TIFF* tiff = TIFFOpen(path.c_str(), recipe.big_endian ? "wb" : "wl");
-  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, recipe.cols);
-  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, recipe.rows);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, recipe.bits);
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, recipe.samples);
-  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, recipe.format);
-  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, recipe.photometric);
-  TIFFSetField(tiff, TIFFTAG_COMPRESSION, recipe.compression);
-  TIFFSetField(tiff, TIFFTAG_ORIENTATION, recipe.orientation);
-  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-  if (recipe.photometric == PHOTOMETRIC_PALETTE) {
-    std::vector<std::uint16_t> ramp(256, 0);
-    for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<std::uint16_t>(257 * (255 - i));
-    std::vector<std::uint16_t> none(256, 0);
-    TIFFSetField(tiff, TIFFTAG_COLORMAP, ramp.data(), none.data(), none.data());
-  }
-  if (recipe.tile > 0) {
-    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, recipe.tile);
-    TIFFSetField(tiff, TIFFTAG_TILELENGTH, recipe.tile);
-    for (int top = 0; top < recipe.rows; top += recipe.tile)
-      for (int left = 0; left < recipe.cols; left += recipe.tile) {
-        std::vector<T> tile(static_cast<std::size_t>(recipe.tile) * static_cast<std::size_t>(recipe.tile),
-                            T{});
-        for (int r = top; r < std::min(recipe.rows, top + recipe.tile); ++r)
-          for (int c = left; c < std::min(recipe.cols, left + recipe.tile); ++c)
-            tile[static_cast<std::size_t>((r - top) * recipe.tile + c - left)] =
-                data[static_cast<std::size_t>(r * recipe.cols + c)];
-        TIFFWriteTile(tiff, tile.data(), static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top), 0,
-                      0);
-      }
-  } else {
-    const std::size_t stride = data.size() / static_cast<std::size_t>(recipe.rows);
-    for (int r = 0; r < recipe.rows; ++r)
-      TIFFWriteScanline(tiff, data.data() + static_cast<std::size_t>(r) * stride,
-                        static_cast<std::uint32_t>(r), 0);
-  }
-  TIFFClose(tiff);
+  specimen_test::write_tiff(path, recipe, data);
   return path;
 }
 
@@ -173,6 +130,60 @@ TEST(PictureTiff, RefusesAHugeClaimBeforeItAsksForMemory) {
     }
     expect_refused(scratch.write("claim.tif", bytes), "bytes cannot hold 14000 x 14000 pixels");
   }
+}
+
+/// libtiff would unpack 1 GiB for each of them.
+TEST(PictureTiff, RefusesTilesThatAreLargerThanThePicture) {
+  const Scratch scratch;
+  TiffRecipe recipe{20, 20};
+  recipe.tile = 16;
+  recipe.compression = COMPRESSION_ADOBE_DEFLATE;
+  make_tiff(scratch, recipe, std::vector<std::uint8_t>(400));
+  FileBytes bytes = scratch.read("recipe.tif");
+  for (const std::uint8_t tag : {0x42, 0x43}) {  // width and length: 0x142 and 0x143
+    const std::vector<std::uint8_t> entry{tag, 1, 3, 0, 1, 0, 0, 0, 16, 0, 0, 0};
+    const auto at = std::search(bytes.begin(), bytes.end(), entry.begin(), entry.end());
+    ASSERT_NE(at, bytes.end());
+    at[8] = 0;
+    at[9] = 0x80;
+  }
+  expect_refused(
+      scratch.write("tiles.tif", bytes),
+      "has tiles of 32768 x 32768 pixels; must not be larger than the picture; save it without tiles");
+}
+
+/// Adds a picture to a file that has one.
+void add_page(const std::string& path, int kind, std::uint8_t value) {
+  TIFF* tiff = TIFFOpen(path.c_str(), "a");
+  TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, kind);
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 1);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  TIFFWriteScanline(tiff, &value, 0, 0);
+  TIFFClose(tiff);
+}
+
+TEST(PictureTiff, RefusesSeveralPagesButNotAPreview) {
+  const Scratch scratch;
+  const std::string path = make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+  add_page(path, FILETYPE_REDUCEDIMAGE, 9);
+  EXPECT_EQ(specimen::read_picture(path).gray.data, (std::vector<double>{1, 2, 3, 4}));
+  for (const int kind : {0, FILETYPE_PAGE}) {
+    (void)make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+    add_page(path, FILETYPE_REDUCEDIMAGE, 9);
+    add_page(path, kind, 9);
+    expect_refused(
+        path,
+        "is a TIFF of several pages; must hold one picture; save the one that is meant as a file of its own");
+  }
+}
+
+TEST(PictureTiff, RefusesPreviewsWithoutEnd) {
+  const Scratch scratch;
+  const std::string path = make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+  for (int i = 0; i < 40; ++i) add_page(path, FILETYPE_REDUCEDIMAGE, 9);
+  expect_refused(path, "is a TIFF of several pages");
 }
 
 TEST(PictureTiff, RefusesKindsThatItCannotRead) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 
 #include <array>
 
@@ -157,7 +158,41 @@ TEST_F(SpecimenFileSource, LoadsNoFilterFromAPlugIn) {
               H5Pset_filter(options.id, 32001, H5Z_FLAG_OPTIONAL, 0, nullptr);
               replace(f, "/labels", H5T_STD_U8LE, {6, 8}, nullptr, options.id);
             }),
-            "/labels: filter 32001; must be gzip, shuffle or fletcher32");
+            "/labels: filter 32001; must be gzip, shuffle or fletcher32, each of them once");
+}
+
+/// HDF5 opens the sources of a view to know how far it reaches, and would wait for ever for one that is a
+/// pipe.
+TEST_F(SpecimenFileSource, DoesNotLookHowFarAViewReaches) {
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(verdict([&](hid_t f) {
+              const Options view;
+              const Extent extent = {6, 8}, endless = {H5S_UNLIMITED, 8}, first = {0, 0}, one = {1, 1};
+              const hid_t space = H5Screate_simple(2, extent.data(), endless.data());
+              H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, one.data(), endless.data());
+              H5Pset_virtual(view.id, space, pipe.c_str(), "/labels", space);
+              test::remove(f, "/labels");
+              const hid_t labels =
+                  H5Dcreate2(f, "/labels", H5T_STD_U8LE, space, H5P_DEFAULT, view.id, H5P_DEFAULT);
+              ASSERT_GE(labels, 0);
+              H5Dclose(labels);
+              H5Sclose(space);
+            }),
+            "/labels: keeps its data elsewhere; must be part of the file itself");
+}
+
+TEST_F(SpecimenFileSource, UnpacksNothingTwice) {
+  EXPECT_EQ(verdict([](hid_t f) {
+              const Options options;
+              const Extent chunk = {6, 8};
+              const std::array<unsigned char, 48> ones{};
+              H5Pset_chunk(options.id, 2, chunk.data());
+              for (const unsigned level : {9U, 9U})
+                H5Pset_filter(options.id, H5Z_FILTER_DEFLATE, H5Z_FLAG_MANDATORY, 1, &level);
+              replace(f, "/labels", H5T_STD_U8LE, {6, 8}, ones.data(), options.id);
+            }),
+            "/labels: filter 1; must be gzip, shuffle or fletcher32, each of them once");
 }
 
 /// HDF5 reads what was never written as zeros, and zero is the label of void.
