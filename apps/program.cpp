@@ -15,6 +15,7 @@
 #include "apps/report_command.hpp"
 #include "apps/simulate_command.hpp"
 #include "apps/suggestion.hpp"
+#include "apps/twin_command.hpp"
 #include "apps/version.hpp"
 #include "libmpm/error.hpp"
 #include "specimen/error.hpp"
@@ -41,6 +42,7 @@ class Program {
     root_.allow_extras();
     add<GenerateCommand>();
     add<ConvertCommand>();
+    add<TwinCommand>();
     add<SimulateCommand>();
     add<CalibrateCommand>();
     add<InspectCommand>();

@@ -12,8 +12,6 @@
 namespace specimen {
 namespace {
 
-constexpr double telling_nothing = 0.75;  // share of cut aggregates
-
 Box box_of(const Inclusion& inclusion) {
   if (inclusion.contour.empty()) return box_round(body_of(inclusion.ellipse), 0);
   Box box{infinite, infinite, -infinite, -infinite};
@@ -69,34 +67,46 @@ AggregateSample sample_aggregates(const Specimen& specimen) {
   }
   sample.cut = static_cast<int>(parts.size());
   if (sample.cut > 0) sample.cut_share = cut_area / (cut_area + whole_area);
-  sample.with_parts = sample.cut_share > telling_nothing;
-  if (sample.with_parts) sample.aggregates.insert(sample.aggregates.end(), parts.begin(), parts.end());
-  if (sample.cut == 0 || sample.with_parts)
+  if (sample.cut == 0)
     for (SampledAggregate& one : sample.aggregates) one.weight = 1;
+  double largest = 0;
+  for (const SampledAggregate& one : sample.aggregates) largest = std::max(largest, one.diameter);
+  for (const SampledAggregate& part : parts) {
+    if (part.diameter <= largest) continue;
+    sample.aggregates.push_back(part);
+    ++sample.parts;
+  }
   std::stable_sort(sample.aggregates.begin(), sample.aggregates.end(),
                    [](const auto& p, const auto& q) { return p.diameter > q.diameter; });
   return sample;
 }
 
-SizeCurve size_curve(const std::vector<const AggregateSample*>& samples) {
-  std::vector<std::pair<double, double>> shares;  // of the area, by diameter
-  double whole = 0;
-  for (const AggregateSample* sample : samples) {
+SizeCurve size_curve(const AggregateSample& sample) { return PooledSizes({&sample}).curve(); }
+
+PooledSizes::PooledSizes(const std::vector<const AggregateSample*>& samples) : count_(samples.size()) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
     double area = 0;
-    for (const SampledAggregate& one : sample->aggregates) area += one.weighted_area();
-    for (const SampledAggregate& one : sample->aggregates)
-      shares.emplace_back(one.diameter, one.weighted_area() / area);
-    if (area > 0) ++whole;
+    for (const SampledAggregate& one : samples[i]->aggregates) area += one.weighted_area();
+    for (const SampledAggregate& one : samples[i]->aggregates)
+      parts_.push_back({one.diameter, one.weighted_area() / area, i});
+    empty_.push_back(samples[i]->aggregates.empty());
   }
-  std::sort(shares.begin(), shares.end());
+  std::stable_sort(parts_.begin(), parts_.end(),
+                   [](const Part& p, const Part& q) { return p.diameter < q.diameter; });
+}
+
+SizeCurve PooledSizes::curve_without(std::size_t sample) const {
+  double voices = 0;
+  for (std::size_t i = 0; i < count_; ++i) voices += i != sample && !empty_[i];
   SizeCurve curve;
   double below = 0;
-  for (const auto& [diameter, share] : shares) {
-    below += share / whole;
-    if (!curve.diameter.empty() && curve.diameter.back() == diameter) {
+  for (const Part& part : parts_) {
+    if (part.sample == sample) continue;
+    below += part.share / voices;
+    if (!curve.diameter.empty() && curve.diameter.back() == part.diameter) {
       curve.below.back() = below;
     } else {
-      curve.diameter.push_back(diameter);
+      curve.diameter.push_back(part.diameter);
       curve.below.push_back(below);
     }
   }

@@ -1,6 +1,7 @@
 /// The aggregates of a picture as a sample of those of the concrete.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "specimen/specimen.hpp"
@@ -22,15 +23,17 @@ struct SampledAggregate {
 ///
 /// Aggregates that the border cuts show neither, so they are left out; large ones are cut more often, and
 /// each whole one stands for 1 / p, where p = (W - w) (H - h) / (W H) is the share of places at which its
-/// box of w x h lies in a window of W x H. Where none is cut, the border is no window but a wall (a cast
-/// specimen, or one that was generated), and all weights are 1. Where cut ones hold more than three quarters
-/// of the aggregate area, the whole ones tell nothing of them: all count then, with what is seen of them.
-/// Source: Miles (1974), Lantuejoul (1978); Baddeley, Jensen (2005), Stereology for Statisticians, ch. 10.
+/// box of w x h lies in a window of W x H. Cut ones of which more is seen than the largest whole one has
+/// would be missed: they count, once, with what is seen of them. Where none is cut, the border is no window
+/// but a wall (a cast specimen, or one that was generated), and all weights are 1. Source: Miles (1974),
+/// Lantuejoul (1978); Baddeley, Jensen (2005), Stereology for Statisticians, ch. 10.
 struct AggregateSample {
   std::vector<SampledAggregate> aggregates;  ///< largest first
   int cut = 0;                               ///< number of those that the border cuts
   double cut_share = 0;                      ///< share of the visible aggregate area that these hold [-]
-  bool with_parts = false;                   ///< cut ones count too, with what is seen of them
+  int parts = 0;                             ///< number of these that count with what is seen of them
+
+  [[nodiscard]] int whole() const { return static_cast<int>(aggregates.size()) - parts; }
 };
 
 /// Whether an inclusion reaches the border of the mask.
@@ -44,8 +47,28 @@ struct SizeCurve {
   std::vector<double> below;     ///< [-], rising to 1
 };
 
-/// Weighted size curve of samples put together, each of them with the same say.
-[[nodiscard]] SizeCurve size_curve(const std::vector<const AggregateSample*>& samples);
+/// Size curve of a sample, its aggregates weighted.
+[[nodiscard]] SizeCurve size_curve(const AggregateSample& sample);
+
+/// Samples put together, each with the same say.
+class PooledSizes {
+ public:
+  explicit PooledSizes(const std::vector<const AggregateSample*>& samples);
+
+  [[nodiscard]] SizeCurve curve() const { return curve_without(count_); }
+  /// Of all but one of the samples.
+  [[nodiscard]] SizeCurve curve_without(std::size_t sample) const;
+
+ private:
+  struct Part {
+    double diameter;  // [m]
+    double share;     // of the area of its sample
+    std::size_t sample;
+  };
+  std::vector<Part> parts_;  // rising
+  std::vector<bool> empty_;  // samples that have no say
+  std::size_t count_;
+};
 
 /// Smallest diameter up to which aggregates hold at least the share of the area [m]; NaN without any.
 [[nodiscard]] double diameter_at(const SizeCurve& curve, double share);

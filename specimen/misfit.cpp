@@ -28,49 +28,55 @@ FigureMisfit compare_figure(const Descriptors& original, const std::vector<Descr
   return misfit;
 }
 
-// Distance from one specimen to the mean of some twins.
-using Distance = std::function<double(const Descriptors& one, const std::vector<const Descriptors*>& others)>;
-
-CurveMisfit compare_curve(const Descriptors& original, const std::vector<Descriptors>& twins,
-                          const Distance& distance) {
-  std::vector<const Descriptors*> all;
-  for (const Descriptors& twin : twins) all.push_back(&twin);
-  CurveMisfit misfit{distance(original, all), unknown, unknown};
-  if (twins.size() < 2) return misfit;
+// Distances from the mean of the (other) twins, of the original first, then of each twin.
+CurveMisfit misfit_of(const std::vector<double>& distances) {
+  CurveMisfit misfit{distances.front(), unknown, unknown};
+  const std::size_t twins = distances.size() - 1;
+  if (twins < 2) return misfit;
   misfit.mean = misfit.largest = 0;
-  for (std::size_t i = 0; i < twins.size(); ++i) {
-    std::vector<const Descriptors*> others = all;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const double own = distance(twins[i], others);
-    misfit.mean += own / static_cast<double>(twins.size());
-    misfit.largest = std::max(misfit.largest, own);
+  for (std::size_t i = 1; i <= twins; ++i) {
+    misfit.mean += distances[i] / static_cast<double>(twins);
+    misfit.largest = std::max(misfit.largest, distances[i]);
   }
   return misfit;
 }
 
-SizeDistance size_distance(const Descriptors& one, const std::vector<const Descriptors*>& others) {
-  std::vector<const AggregateSample*> samples;
-  for (const Descriptors* other : others) samples.push_back(&other->sample);
-  return distance_between(size_curve({&one.sample}), size_curve(samples));
+// Distances of the size curves.
+std::vector<SizeDistance> size_distances(const Descriptors& original, const std::vector<Descriptors>& twins) {
+  std::vector<const AggregateSample*> all;
+  for (const Descriptors& twin : twins) all.push_back(&twin.sample);
+  const PooledSizes pool(all);
+  std::vector<SizeDistance> distances{distance_between(size_curve(original.sample), pool.curve())};
+  for (std::size_t i = 0; i < twins.size(); ++i)
+    distances.push_back(distance_between(size_curve(twins[i].sample), pool.curve_without(i)));
+  return distances;
 }
 
 using Curve = std::vector<double> TwoPoint::*;
 
-// Differences of S2 from the mean of the others at the distances of the original, over `scale`.
-std::vector<double> s2_differences(const Descriptors& one, const std::vector<const Descriptors*>& others,
-                                   Curve curve, const std::vector<double>& distances, double scale) {
-  const auto values_of = [&](const Descriptors& d) {
-    return at_distances(d.s2.distance, d.s2.*curve, distances);
-  };
-  std::vector<double> differences = values_of(one);
-  for (const Descriptors* other : others) {
-    const std::vector<double> theirs = values_of(*other);
-    differences.resize(std::min(differences.size(), theirs.size()));
-    for (std::size_t i = 0; i < differences.size(); ++i)
-      differences[i] -= theirs[i] / static_cast<double>(others.size());
+// Curves of S2 at the distances of the original, as far as all have them; of the original first.
+std::vector<std::vector<double>> s2_curves(const Descriptors& original, const std::vector<Descriptors>& twins,
+                                           Curve curve) {
+  std::vector<std::vector<double>> curves{original.s2.*curve};
+  std::size_t common = curves.front().size();
+  for (const Descriptors& twin : twins) {
+    curves.push_back(at_distances(twin.s2.distance, twin.s2.*curve, original.s2.distance));
+    common = std::min(common, curves.back().size());
   }
-  for (double& difference : differences) difference /= scale;
-  return differences;
+  for (std::vector<double>& values : curves) values.resize(common);
+  return curves;
+}
+
+// Differences of each curve from the mean of the (other) twins.
+std::vector<std::vector<double>> differences_of(std::vector<std::vector<double>> curves) {
+  const auto twins = static_cast<double>(curves.size() - 1);
+  for (std::size_t at = 0; at < curves.front().size(); ++at) {
+    double sum = 0;
+    for (std::size_t i = 1; i < curves.size(); ++i) sum += curves[i][at];
+    curves[0][at] -= sum / twins;
+    for (std::size_t i = 1; i < curves.size(); ++i) curves[i][at] -= (sum - curves[i][at]) / (twins - 1);
+  }
+  return curves;
 }
 
 double root_mean_square(const std::vector<double>& values) {
@@ -115,9 +121,10 @@ Misfit compare(const Descriptors& original, const std::vector<Descriptors>& twin
   const double scale = original.fraction * (1 - original.fraction);
   const auto figure = [&](const Figure& of) { return compare_figure(original, twins, of); };
   const auto s2 = [&](Curve curve, double (*summary)(const std::vector<double>&)) {
-    return compare_curve(original, twins, [&](const Descriptors& one, const auto& others) {
-      return summary(s2_differences(one, others, curve, original.s2.distance, scale));
-    });
+    std::vector<double> distances;
+    for (const auto& differences : differences_of(s2_curves(original, twins, curve)))
+      distances.push_back(summary(differences) / scale);
+    return misfit_of(distances);
   };
   Misfit misfit;
   misfit.fraction = figure([](const Descriptors& d) { return d.fraction; });
@@ -127,12 +134,13 @@ Misfit compare(const Descriptors& original, const std::vector<Descriptors>& twin
   misfit.mean_gap = figure([](const Descriptors& d) { return d.mean_gap; });
   misfit.specific_perimeter = figure([](const Descriptors& d) { return d.specific_perimeter; });
   misfit.direction = mean_direction(twins);
-  misfit.sizes = compare_curve(original, twins, [](const Descriptors& one, const auto& others) {
-    return size_distance(one, others).largest;
-  });
-  misfit.sizes_mean = compare_curve(original, twins, [](const Descriptors& one, const auto& others) {
-    return size_distance(one, others).mean;
-  });
+  std::vector<double> largest, mean;
+  for (const SizeDistance& distance : size_distances(original, twins)) {
+    largest.push_back(distance.largest);
+    mean.push_back(distance.mean);
+  }
+  misfit.sizes = misfit_of(largest);
+  misfit.sizes_mean = misfit_of(mean);
   misfit.s2_rms = s2(&TwoPoint::radial, root_mean_square);
   misfit.s2_largest = s2(&TwoPoint::radial, largest_of);
   misfit.s2_along_x_rms = s2(&TwoPoint::along_x, root_mean_square);

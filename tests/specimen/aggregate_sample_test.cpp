@@ -24,7 +24,7 @@ TEST(AggregateSample, CountsWhatTheBorderCuts) {
                                  80 * mm);
   const AggregateSample sample = sample_aggregates(specimen);
   EXPECT_EQ(sample.cut, 2);
-  EXPECT_FALSE(sample.with_parts);
+  EXPECT_EQ(sample.parts, 0);
   ASSERT_EQ(sample.aggregates.size(), 1u);
   const SampledAggregate& one = sample.aggregates.front();
   EXPECT_NEAR(one.diameter, 2 * std::sqrt(40.0) * mm, 1e-12);
@@ -49,17 +49,24 @@ TEST(AggregateSample, OfAWalledSpecimenWeighsAllAlike) {
   EXPECT_EQ(sample.aggregates[1].weight, 1);
 }
 
-TEST(AggregateSample, TakesPartsWhereWholeOnesTellNothing) {
+TEST(AggregateSample, TakesPartsThatAreLargerThanAllWholeOnes) {
   const std::vector<Ellipse> ellipses{{0, 40 * mm, 20 * mm, 20 * mm, 0},
-                                      {60 * mm, 40 * mm, 3 * mm, 3 * mm, 0}};
+                                      {60 * mm, 40 * mm, 6 * mm, 6 * mm, 0},
+                                      {80 * mm, 60 * mm, 6 * mm, 6 * mm, 0}};
   const AggregateSample sample = sample_aggregates(seen(ellipses, 80 * mm));
-  EXPECT_TRUE(sample.with_parts);
-  EXPECT_EQ(sample.cut, 1);
-  EXPECT_NEAR(sample.cut_share, 200.0 / 209, 0.001);
+  EXPECT_EQ(sample.cut, 2);
+  EXPECT_EQ(sample.parts, 1);
   ASSERT_EQ(sample.aggregates.size(), 2u);
   EXPECT_NEAR(sample.aggregates.front().diameter, 20 * std::sqrt(2.0) * mm, 0.1 * mm);
   EXPECT_EQ(sample.aggregates.front().weight, 1);
-  EXPECT_EQ(sample.aggregates.back().weight, 1);
+  EXPECT_NEAR(sample.aggregates.back().weight, std::pow(80.0 / 68, 2), 1e-9);
+}
+
+TEST(AggregateSample, OfPartsAloneTakesThem) {
+  const AggregateSample sample = sample_aggregates(seen({{0, 40 * mm, 20 * mm, 20 * mm, 0}}, 80 * mm));
+  EXPECT_EQ(sample.parts, 1);
+  EXPECT_EQ(sample.cut_share, 1);
+  EXPECT_EQ(sample.aggregates.size(), 1u);
   EXPECT_TRUE(sample_aggregates(seen({}, 80 * mm)).aggregates.empty());
 }
 
@@ -74,7 +81,7 @@ TEST(AggregateSample, TakesTheBiasOfTheWindowOff) {
     const double x = random.uniform(-15 * mm, 95 * mm), y = random.uniform(-15 * mm, 95 * mm);
     const bool whole = std::min({x, y, 80 * mm - x, 80 * mm - y}) > radius;
     if (!whole) continue;
-    std::vector<Ellipse> ellipses{{x, y, radius, radius, 0}, {0, 0, 1.2 * mm, 1.2 * mm, 0}};
+    std::vector<Ellipse> ellipses{{x, y, radius, radius, 0}, {0, 0, 0.8 * mm, 0.8 * mm, 0}};
     const AggregateSample sample = sample_aggregates(seen(ellipses, 80 * mm, 1 * mm));
     ASSERT_EQ(sample.aggregates.size(), 1u);
     (radius > 10 * mm ? large : small) += sample.aggregates.front().weight;
@@ -84,24 +91,27 @@ TEST(AggregateSample, TakesTheBiasOfTheWindowOff) {
   EXPECT_NEAR(large / small, 1, 0.1);
 }
 
-AggregateSample of(std::vector<SampledAggregate> aggregates) { return {std::move(aggregates), 0, 0, false}; }
+AggregateSample of(std::vector<SampledAggregate> aggregates) { return {std::move(aggregates), 0, 0, 0}; }
 
 TEST(SizeCurve, IsByAreaAndWeight) {
   const AggregateSample sample = of({{4, 1, 0, 1}, {2, 1, 0, 3}, {2, 1, 0, 1}});
-  const SizeCurve curve = size_curve({&sample});
+  const SizeCurve curve = size_curve(sample);
   ASSERT_EQ(curve.diameter, (std::vector<double>{2, 4}));
   EXPECT_DOUBLE_EQ(curve.below[0], 0.5);
   EXPECT_DOUBLE_EQ(curve.below[1], 1);
   EXPECT_EQ(diameter_at(curve, 0.4), 2);
   EXPECT_EQ(diameter_at(curve, 0.6), 4);
-  EXPECT_TRUE(std::isnan(diameter_at(size_curve({}), 0.5)));
+  EXPECT_TRUE(std::isnan(diameter_at({}, 0.5)));
 }
 
 TEST(SizeCurve, OfSeveralSamplesGivesEachTheSameSay) {
   const AggregateSample one = of({{2, 1, 0, 1}}), other = of({{4, 1, 0, 1}, {4, 1, 0, 1}}), none;
-  const SizeCurve curve = size_curve({&one, &other, &none});
-  ASSERT_EQ(curve.diameter, (std::vector<double>{2, 4}));
-  EXPECT_DOUBLE_EQ(curve.below[0], 0.5);
+  const PooledSizes pool({&one, &other, &none});
+  ASSERT_EQ(pool.curve().diameter, (std::vector<double>{2, 4}));
+  EXPECT_DOUBLE_EQ(pool.curve().below[0], 0.5);
+  EXPECT_DOUBLE_EQ(pool.curve_without(2).below[0], 0.5);
+  EXPECT_EQ(pool.curve_without(0).diameter, (std::vector<double>{4}));
+  EXPECT_TRUE(PooledSizes({&one}).curve_without(0).diameter.empty());
 }
 
 TEST(SizeCurve, LiesApartByTheLargestAndTheMeanDifference) {

@@ -81,7 +81,7 @@ TEST(Descriptors, OfAggregateAloneAreOneCutPiece) {
   whole.inclusions = draw_window({{20 * mm, 20 * mm, 40 * mm, 40 * mm, 0}}, 40 * mm, 40 * mm, mm).inclusions;
   const Descriptors found = describe(make_specimen(whole, {ItzMode::none, 0, 36}, {}));
   EXPECT_EQ(found.fraction, 1);
-  EXPECT_TRUE(found.sample.with_parts);
+  EXPECT_EQ(found.sample.parts, 1);
   EXPECT_DOUBLE_EQ(found.s2.radial.back(), 1);
 }
 
