@@ -28,7 +28,9 @@ constexpr const char* footer =
     "two-point\n"
     "probability S2 of the twins are off is told beside their scatter.\n"
     "The folder gets original.h5, twin_001.h5, ... with their previews, statistics.csv, statistics.json and\n"
-    "report.html.\n"
+    "report.html; scene.toml, which breaks the first twin; and study.toml, with which mesopix study breaks "
+    "them "
+    "all.\n"
     "Example: fifty specimens like a photograph that is 150 mm wide\n"
     "  mesopix twin photo.jpg --width \"150 mm\" --pixels 300 -n 50";
 
@@ -123,6 +125,7 @@ TwinTask TwinCommand::make_task(const Settings& settings, specimen::Specimen ori
   task.seed = read_option("--seed", seed_, Integer<std::uint64_t>{{at_least(0), {}}});
   const specimen::TwinOptions options = twin_options();
   task.itz = source_of(settings) == Source::file ? original.itz : settings.itz;
+  task.settings = settings;
   task.descriptors = specimen::describe(original);
   task.plan = specimen::plan_twins(task.descriptors, options);
   task.original = std::move(original);

@@ -4,6 +4,8 @@
 #include <regex>
 #include <set>
 
+#include "apps/complaint.hpp"
+#include "apps/scene_text.hpp"
 #include "apps/specimen_output.hpp"
 #include "apps/twin_json.hpp"
 #include "apps/twin_report.hpp"
@@ -28,6 +30,24 @@ void remove_other_twins(const fs::path& folder, const std::vector<TwinRecord>& t
   for (const fs::path& path : outdated) fs::remove(path);
 }
 
+/// A scene of the first twin, which stands for all of them.
+std::string scene_of(const TwinTask& task, const fs::path& folder, const TwinRecord& twin) {
+  Settings settings = task.settings;
+  settings.specimen = {};
+  settings.specimen.file = (folder / twin.file).string();
+  return scene_text(settings, Extent::whole, folder);
+}
+
+std::string study_of(const TwinTask& task, const std::vector<TwinRecord>& twins) {
+  std::string files;
+  for (const TwinRecord& twin : twins) files += "  " + quoted(twin.file) + ",\n";
+  return "title = " + quoted("Twins of " + task.name) +
+         "\nscene = \"scene.toml\"  # loading, phases and solver of all of them\n"
+         "# seeds = 4           # runs of each twin with other random strengths\n\n"
+         "[vary]\n\"specimen.file\" = [\n" +
+         files + "]\n";
+}
+
 }  // namespace
 
 TwinStatistics write_twin_statistics(const fs::path& folder, const TwinTask& task,
@@ -44,6 +64,8 @@ TwinStatistics write_twin_statistics(const fs::path& folder, const TwinTask& tas
   };
   write("statistics.csv", twins_csv(task, twins));
   write("statistics.json", statistics.json);
+  write("scene.toml", scene_of(task, folder, twins.front()));
+  write("study.toml", study_of(task, twins));
   write("report.html", twin_html(task, twins, statistics.misfit, statistics.notes));
   return statistics;
 }

@@ -21,6 +21,8 @@ struct TwinStatistics {
 ///   statistics.csv   a line for it and for each twin
 ///   statistics.json  all figures, curves and misfits
 ///   report.html      all of it on one page that needs no network
+///   scene.toml       a scene that breaks the first twin: loading, phases and solver of the settings
+///   study.toml       a study that breaks them all
 /// Twins of an earlier run that this one has not are removed.
 /// @pre at least one twin.   @throws specimen::Error, mpm::FileError when the disk fails.
 TwinStatistics write_twin_statistics(const std::filesystem::path& folder, const TwinTask& task,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/settings.hpp"
 #include "specimen/misfit.hpp"
 #include "specimen/picture.hpp"
 #include "specimen/twin.hpp"
@@ -17,6 +18,7 @@ namespace app {
 struct TwinTask {
   std::string name;             ///< of the original, without its ending
   specimen::Specimen original;  ///< with its provenance
+  Settings settings;            ///< of the scene to break twins in; its specimen is not looked at
   specimen::Descriptors descriptors;
   specimen::TwinPlan plan;
   specimen::ItzOptions itz;  ///< of the twins

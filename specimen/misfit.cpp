@@ -14,7 +14,7 @@ using Figure = std::function<double(const Descriptors&)>;
 
 FigureMisfit compare_figure(const Descriptors& original, const std::vector<Descriptors>& twins,
                             const Figure& figure) {
-  FigureMisfit misfit{figure(original), 0, 0, figure(twins.front()), figure(twins.front())};
+  FigureMisfit misfit{figure(original), 0, unknown, figure(twins.front()), figure(twins.front())};
   const auto count = static_cast<double>(twins.size());
   for (const Descriptors& twin : twins) {
     misfit.mean += figure(twin) / count;
@@ -22,6 +22,7 @@ FigureMisfit compare_figure(const Descriptors& original, const std::vector<Descr
     misfit.largest = std::max(misfit.largest, figure(twin));
   }
   if (twins.size() < 2) return misfit;
+  misfit.deviation = 0;
   for (const Descriptors& twin : twins)
     misfit.deviation += std::pow(figure(twin) - misfit.mean, 2) / (count - 1);
   misfit.deviation = std::sqrt(misfit.deviation);

@@ -11,7 +11,7 @@ namespace specimen {
 struct FigureMisfit {
   double original = 0;
   double mean = 0;       ///< of the twins
-  double deviation = 0;  ///< standard deviation from twin to twin; 0 for a single one
+  double deviation = 0;  ///< standard deviation from twin to twin; NaN for a single one
   double least = 0;      ///< of the twins
   double largest = 0;    ///< of the twins
 

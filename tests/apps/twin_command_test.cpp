@@ -38,7 +38,7 @@ TEST_F(TwinCommand, MakesSpecimensLikeAPicture) {
     EXPECT_TRUE(fs::exists(fs::path("runs/cut-twins") / name)) << name;
   EXPECT_FALSE(fs::exists("runs/cut-twins/twin_004.h5"));
   EXPECT_EQ(
-      call({"simulate", "runs/cut-twins/twin_001.h5", "--velocity", "1 m/s", "--stop-strain", "2e-5", "-q"}),
+      call({"simulate", "runs/cut-twins/scene.toml", "--velocity", "1 m/s", "--stop-strain", "2e-5", "-q"}),
       Exit::ok)
       << err_.str();
 }
@@ -59,10 +59,13 @@ TEST_F(TwinCommand, TakesSpecimensAndScenesAsWell) {
             Exit::ok);
   ASSERT_EQ(run({"cut.h5", "-n", "1", "-o", "of_file"}), Exit::ok) << err_.str();
   EXPECT_EQ(specimen::read_specimen("of_file/twin_001.h5").itz.thickness, 1e-3);
-  test::write_text("scene.toml", "[specimen]\npicture = \"cut.png\"\n[convert]\nwidth = \"40 mm\"\n");
+  test::write_text("scene.toml",
+                   "[specimen]\npicture = \"cut.png\"\n[convert]\nwidth = \"40 mm\"\n"
+                   "[loading]\ndirection = \"compression\"\n");
   ASSERT_EQ(run({"scene.toml", "-n", "1", "--itz-mode", "none", "-o", "of_scene"}), Exit::ok) << err_.str();
   const specimen::Specimen twin = specimen::read_specimen("of_scene/twin_001.h5");
   EXPECT_EQ(twin.itz.mode, specimen::ItzMode::none);
+  EXPECT_THAT(test::read_text("of_scene/scene.toml"), HasSubstr("direction = \"compression\""));
   EXPECT_EQ(specimen::read_specimen("of_file/twin_001.h5").inclusions.front().area,
             twin.inclusions.front().area);
 }

@@ -26,6 +26,11 @@ TEST(TwinFolder, ExplainsItself) {
   EXPECT_EQ(nlohmann::json::parse(statistics.json)["notes"], statistics.notes);
   EXPECT_THAT(test::read_text(folder / "statistics.csv"), HasSubstr("original.h5,,"));
   EXPECT_EQ(specimen::read_specimen(folder / "original.h5").mask, task.original.mask);
+  EXPECT_EQ(test::read_text(folder / "study.toml"),
+            "title = \"Twins of cut\"\nscene = \"scene.toml\"  # loading, phases and solver of all of them\n"
+            "# seeds = 4           # runs of each twin with other random strengths\n\n"
+            "[vary]\n\"specimen.file\" = [\n  \"twin_001.h5\",\n  \"twin_002.h5\",\n]\n");
+  EXPECT_THAT(test::read_text(folder / "scene.toml"), HasSubstr("file = \"twin_001.h5\""));
   const std::string page = test::read_text(folder / "report.html");
   EXPECT_THAT(page, HasSubstr("<h1>Twins of cut</h1>"));
   EXPECT_THAT(page, HasSubstr("A note of the conversion &lt;&amp;&gt;."));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "apps/number_text.hpp"
 #include "tests/apps/small_twins.hpp"
 
 namespace app {
@@ -41,13 +42,16 @@ TEST(TwinJson, OfASingleTwinHasNoVerdict) {
 
 TEST(TwinJson, HasATableWithALineForEachSpecimen) {
   const TwinTask task = test::small_task();
-  std::istringstream csv(twins_csv(task, test::small_twins(task)));
+  const auto twins = test::small_twins(task);
+  std::istringstream csv(twins_csv(task, twins));
   std::vector<std::string> lines;
   for (std::string line; std::getline(csv, line);) lines.push_back(line);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0].rfind("file,seed,aggregate_fraction,median_diameter_m,mean_aspect,", 0), 0u);
   EXPECT_EQ(lines[1].rfind("original.h5,,0.", 0), 0u);
-  EXPECT_EQ(lines[3].rfind("twin_002.h5,6,0.", 0), 0u);
+  const std::string figures = format_number(twins[1].descriptors.fraction) + ',' +
+                              format_number(twins[1].descriptors.median_diameter);
+  EXPECT_EQ(lines[3].rfind("twin_002.h5,6," + figures, 0), 0u);
   for (const std::string& line : lines)
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(lines[0].begin(), lines[0].end(), ','));
 }

@@ -64,5 +64,12 @@ TEST(Orientation, FindsAWeakDirectionOfManyAxes) {
   EXPECT_NEAR(found.strength, 0.25, 0.07);
 }
 
+TEST(Orientation, CountsAxesByTheirEffectiveNumber) {
+  const Orientation three = mean_orientation({{0.1, 1}, {0.3, 1}, {1.2, 1}});
+  const Orientation heavy = mean_orientation({{0.1, 100}, {0.3, 100}, {1.2, 100}, {0.7, 0}});
+  EXPECT_NEAR(heavy.strength, three.strength, 1e-12);
+  EXPECT_NEAR(heavy.probability, three.probability, 1e-12);
+}
+
 }  // namespace
 }  // namespace specimen

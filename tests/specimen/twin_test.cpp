@@ -216,5 +216,15 @@ TEST(Twin, RefusesWhatDoesNotFit) {
             "twin.width: 50.3 mm; must be a whole number of pixels of 0.5 mm; take 50 mm or 50.5 mm");
 }
 
+TEST(Twin, HasTheAreaOfItsFractionExactly) {
+  const Descriptors original = packed(small_options());
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    double area = 0;
+    for (const Inclusion& inclusion : draw_twin(plan_twins(original, {}), seed).segmented.inclusions)
+      area += inclusion.area;
+    EXPECT_NEAR(area / (0.1 * 0.1), original.fraction, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace specimen
