@@ -119,13 +119,6 @@ double last_gap_shown(const specimen::Descriptors& d) {
   return d.gaps.empty() ? d.pixel_size : d.gaps[(d.gaps.size() - 1) * 19 / 20] + d.pixel_size;
 }
 
-double share_up_to(const specimen::SizeCurve& curve, double diameter) {
-  const auto above = std::upper_bound(curve.diameter.begin(), curve.diameter.end(), diameter);
-  return above == curve.diameter.begin()
-             ? 0
-             : curve.below[static_cast<std::size_t>(above - curve.diameter.begin() - 1)];
-}
-
 Values s2_of(const specimen::TwoPoint& s2, Values specimen::TwoPoint::*curve, const Values& distances) {
   return specimen::at_distances(s2.distance, s2.*curve, distances);
 }
@@ -136,9 +129,9 @@ Chart size_chart(const TwinTask& task, const std::vector<TwinRecord>& twins) {
   Chart chart{"Size curves", {"Diameter", "mm"}, {"Passing, by area", "%"}, {}, {}};
   const Values diameters = evenly(0, 1.02 * largest_diameter(task, twins), 120);
   add_original_and_twins(chart, times(diameters, 1e3), task, twins, [&](const specimen::Descriptors& d) {
-    const specimen::SizeCurve curve = specimen::size_curve(d.sample);
+    const specimen::Distribution sizes = specimen::distribution_of(specimen::sizes_by_area(d.sample));
     Values shares;
-    for (const double diameter : diameters) shares.push_back(100 * share_up_to(curve, diameter));
+    for (const double diameter : diameters) shares.push_back(100 * share_up_to(sizes, diameter));
     return shares;
   });
   return chart;

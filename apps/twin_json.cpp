@@ -63,6 +63,7 @@ Json misfit_json(const specimen::Misfit& misfit) {
           {"specific_perimeter_per_m", figure_json(misfit.specific_perimeter)},
           {"size_curve_largest", curve_json(misfit.sizes)},
           {"size_curve_mean_m", curve_json(misfit.sizes_mean)},
+          {"nearest_neighbours_largest", curve_json(misfit.gaps)},
           {"s2_rms", curve_json(misfit.s2_rms)},
           {"s2_largest", curve_json(misfit.s2_largest)},
           {"s2_along_x_rms", curve_json(misfit.s2_along_x_rms)},

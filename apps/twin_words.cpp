@@ -131,6 +131,7 @@ std::vector<FigureRow> figure_rows(const TwinTask& task, const specimen::Misfit&
 std::vector<CurveRow> curve_rows(const specimen::Misfit& misfit) {
   return {curve_row("Size curve, largest difference (% of the area)", misfit.sizes, 0.01, 1),
           curve_row("Size curve, mean difference (mm)", misfit.sizes_mean, millimetre, 2),
+          curve_row("Nearest neighbours, largest difference (%)", misfit.gaps, 0.01, 1),
           curve_row("S2, root mean square (%)", misfit.s2_rms, 0.01, 2),
           curve_row("S2, largest difference (%)", misfit.s2_largest, 0.01, 2),
           curve_row("S2 along x, root mean square (%)", misfit.s2_along_x_rms, 0.01, 2),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -81,61 +80,10 @@ AggregateSample sample_aggregates(const Specimen& specimen) {
   return sample;
 }
 
-SizeCurve size_curve(const AggregateSample& sample) { return PooledSizes({&sample}).curve(); }
-
-PooledSizes::PooledSizes(const std::vector<const AggregateSample*>& samples) : count_(samples.size()) {
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    double area = 0;
-    for (const SampledAggregate& one : samples[i]->aggregates) area += one.weighted_area();
-    for (const SampledAggregate& one : samples[i]->aggregates)
-      parts_.push_back({one.diameter, one.weighted_area() / area, i});
-    empty_.push_back(samples[i]->aggregates.empty());
-  }
-  std::stable_sort(parts_.begin(), parts_.end(),
-                   [](const Part& p, const Part& q) { return p.diameter < q.diameter; });
-}
-
-SizeCurve PooledSizes::curve_without(std::size_t sample) const {
-  double voices = 0;
-  for (std::size_t i = 0; i < count_; ++i) voices += i != sample && !empty_[i];
-  SizeCurve curve;
-  double below = 0;
-  for (const Part& part : parts_) {
-    if (part.sample == sample) continue;
-    below += part.share / voices;
-    if (!curve.diameter.empty() && curve.diameter.back() == part.diameter) {
-      curve.below.back() = below;
-    } else {
-      curve.diameter.push_back(part.diameter);
-      curve.below.push_back(below);
-    }
-  }
-  if (!curve.below.empty()) curve.below.back() = 1;
-  return curve;
-}
-
-double diameter_at(const SizeCurve& curve, double share) {
-  if (curve.diameter.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto at = std::lower_bound(curve.below.begin(), curve.below.end(), share);
-  return curve.diameter[static_cast<std::size_t>(std::min(at, curve.below.end() - 1) - curve.below.begin())];
-}
-
-SizeDistance distance_between(const SizeCurve& first, const SizeCurve& second) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  if (first.diameter.empty() || second.diameter.empty()) return {unknown, unknown};
-  SizeDistance distance;
-  double f = 0, g = 0, last = 0;
-  for (std::size_t i = 0, j = 0; i < first.diameter.size() || j < second.diameter.size();) {
-    const double in_first = i < first.diameter.size() ? first.diameter[i] : infinite;
-    const double in_second = j < second.diameter.size() ? second.diameter[j] : infinite;
-    const double next = std::min(in_first, in_second);
-    distance.mean += std::abs(f - g) * (next - last);
-    if (in_first <= next) f = first.below[i++];
-    if (in_second <= next) g = second.below[j++];
-    distance.largest = std::max(distance.largest, std::abs(f - g));
-    last = next;
-  }
-  return distance;
+std::vector<WeightedValue> sizes_by_area(const AggregateSample& sample) {
+  std::vector<WeightedValue> sizes;
+  for (const SampledAggregate& one : sample.aggregates) sizes.push_back({one.diameter, one.weighted_area()});
+  return sizes;
 }
 
 }  // namespace specimen

@@ -1,9 +1,9 @@
 /// The aggregates of a picture as a sample of those of the concrete.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
+#include "specimen/distribution.hpp"
 #include "specimen/specimen.hpp"
 
 namespace specimen {
@@ -41,45 +41,7 @@ struct AggregateSample {
 
 [[nodiscard]] AggregateSample sample_aggregates(const Specimen& specimen);
 
-/// A distribution of area over diameter: below[i] is the share of the area in aggregates up to diameter[i].
-struct SizeCurve {
-  std::vector<double> diameter;  ///< [m], rising
-  std::vector<double> below;     ///< [-], rising to 1
-};
-
-/// Size curve of a sample, its aggregates weighted.
-[[nodiscard]] SizeCurve size_curve(const AggregateSample& sample);
-
-/// Samples put together, each with the same say.
-class PooledSizes {
- public:
-  explicit PooledSizes(const std::vector<const AggregateSample*>& samples);
-
-  [[nodiscard]] SizeCurve curve() const { return curve_without(count_); }
-  /// Of all but one of the samples.
-  [[nodiscard]] SizeCurve curve_without(std::size_t sample) const;
-
- private:
-  struct Part {
-    double diameter;  // [m]
-    double share;     // of the area of its sample
-    std::size_t sample;
-  };
-  std::vector<Part> parts_;  // rising
-  std::vector<bool> empty_;  // samples that have no say
-  std::size_t count_;
-};
-
-/// Smallest diameter up to which aggregates hold at least the share of the area [m]; NaN without any.
-[[nodiscard]] double diameter_at(const SizeCurve& curve, double share);
-
-/// How far two size curves lie apart.
-struct SizeDistance {
-  double largest = 0;  ///< largest difference of the shares [-] (Kolmogorov, Smirnov)
-  double mean = 0;     ///< area between the curves: how far diameters are off in the mean [m] (Kantorovich)
-};
-
-/// Both NaN when one of the curves is empty.
-[[nodiscard]] SizeDistance distance_between(const SizeCurve& first, const SizeCurve& second);
+/// Diameters [m] by weighted area.
+[[nodiscard]] std::vector<WeightedValue> sizes_by_area(const AggregateSample& sample);
 
 }  // namespace specimen

@@ -44,7 +44,7 @@ Descriptors describe(const Specimen& specimen) {
   d.void_fraction = shares[phase::void_];
   d.specific_perimeter = perimeter(mask, phase::aggregate) / (d.width * d.height);
   d.sample = sample_aggregates(specimen);
-  d.median_diameter = diameter_at(size_curve(d.sample), 0.5);
+  d.median_diameter = quantile(distribution_of(sizes_by_area(d.sample)), 0.5);
   d.mean_aspect = mean_aspect(d.sample);
   d.orientation = orientation_of(d.sample);
   d.gaps = nearest_gaps(specimen);

@@ -42,14 +42,26 @@ CurveMisfit misfit_of(const std::vector<double>& distances) {
   return misfit;
 }
 
-// Distances of the size curves.
-std::vector<SizeDistance> size_distances(const Descriptors& original, const std::vector<Descriptors>& twins) {
-  std::vector<const AggregateSample*> all;
-  for (const Descriptors& twin : twins) all.push_back(&twin.sample);
-  const PooledSizes pool(all);
-  std::vector<SizeDistance> distances{distance_between(size_curve(original.sample), pool.curve())};
-  for (std::size_t i = 0; i < twins.size(); ++i)
-    distances.push_back(distance_between(size_curve(twins[i].sample), pool.curve_without(i)));
+using Sample = std::vector<WeightedValue>;
+
+// Distances of distributions, of the original first, then of each twin.
+struct Distances {
+  std::vector<double> largest, mean;
+};
+
+Distances distances_of(const Descriptors& original, const std::vector<Descriptors>& twins,
+                       Sample (*sample)(const Descriptors&)) {
+  std::vector<Sample> samples;
+  for (const Descriptors& twin : twins) samples.push_back(sample(twin));
+  const PooledDistribution pool(samples);
+  Distances distances;
+  const auto add = [&distances](const Sample& one, const Distribution& others) {
+    const DistributionDistance distance = distance_between(distribution_of(one), others);
+    distances.largest.push_back(distance.largest);
+    distances.mean.push_back(distance.mean);
+  };
+  add(sample(original), pool.all());
+  for (std::size_t i = 0; i < twins.size(); ++i) add(samples[i], pool.without(i));
   return distances;
 }
 
@@ -135,13 +147,16 @@ Misfit compare(const Descriptors& original, const std::vector<Descriptors>& twin
   misfit.mean_gap = figure([](const Descriptors& d) { return d.mean_gap; });
   misfit.specific_perimeter = figure([](const Descriptors& d) { return d.specific_perimeter; });
   misfit.direction = mean_direction(twins);
-  std::vector<double> largest, mean;
-  for (const SizeDistance& distance : size_distances(original, twins)) {
-    largest.push_back(distance.largest);
-    mean.push_back(distance.mean);
-  }
-  misfit.sizes = misfit_of(largest);
-  misfit.sizes_mean = misfit_of(mean);
+  const Distances sizes =
+      distances_of(original, twins, [](const Descriptors& d) { return sizes_by_area(d.sample); });
+  misfit.sizes = misfit_of(sizes.largest);
+  misfit.sizes_mean = misfit_of(sizes.mean);
+  const Distances gaps = distances_of(original, twins, [](const Descriptors& d) {
+    Sample sample;
+    for (const double gap : d.gaps) sample.push_back({gap, 1});
+    return sample;
+  });
+  misfit.gaps = misfit_of(gaps.largest);
   misfit.s2_rms = s2(&TwoPoint::radial, root_mean_square);
   misfit.s2_largest = s2(&TwoPoint::radial, largest_of);
   misfit.s2_along_x_rms = s2(&TwoPoint::along_x, root_mean_square);

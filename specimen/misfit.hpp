@@ -42,6 +42,7 @@ struct Misfit {
   double direction = 0;             ///< mean of the twins [rad]
   CurveMisfit sizes;                ///< largest difference of the size curves [-]
   CurveMisfit sizes_mean;           ///< area between the size curves [m]
+  CurveMisfit gaps;  ///< largest difference of the distributions of distances to nearest neighbours [-]
   /// Differences of S2 over fraction (1 - fraction) of the original, at the distances that all have [-].
   CurveMisfit s2_rms, s2_largest, s2_along_x_rms, s2_along_y_rms;
 };

@@ -41,10 +41,10 @@ TEST(TwinWords, JudgeCurvesWhereThereIsAScatter) {
   const std::vector<CurveRow> rows = curve_rows(misfit);
   EXPECT_EQ(rows[0].verdict, "");
   EXPECT_EQ(rows[0].largest, "-");
-  EXPECT_EQ(rows[2].name, "S2, root mean square (%)");
-  EXPECT_EQ(rows[2].original, "2.00");
-  EXPECT_EQ(rows[2].verdict, "within the twins");
-  EXPECT_EQ(rows[3].verdict, "farther than any twin");
+  EXPECT_EQ(rows[3].name, "S2, root mean square (%)");
+  EXPECT_EQ(rows[3].original, "2.00");
+  EXPECT_EQ(rows[3].verdict, "within the twins");
+  EXPECT_EQ(rows[4].verdict, "farther than any twin");
 }
 
 TEST(TwinWords, SayTheDirectionOnlyWhereTwinsKeepIt) {

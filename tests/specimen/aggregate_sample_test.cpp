@@ -91,37 +91,14 @@ TEST(AggregateSample, TakesTheBiasOfTheWindowOff) {
   EXPECT_NEAR(large / small, 1, 0.1);
 }
 
-AggregateSample of(std::vector<SampledAggregate> aggregates) { return {std::move(aggregates), 0, 0, 0}; }
-
-TEST(SizeCurve, IsByAreaAndWeight) {
-  const AggregateSample sample = of({{4, 1, 0, 1}, {2, 1, 0, 3}, {2, 1, 0, 1}});
-  const SizeCurve curve = size_curve(sample);
-  ASSERT_EQ(curve.diameter, (std::vector<double>{2, 4}));
-  EXPECT_DOUBLE_EQ(curve.below[0], 0.5);
-  EXPECT_DOUBLE_EQ(curve.below[1], 1);
-  EXPECT_EQ(diameter_at(curve, 0.4), 2);
-  EXPECT_EQ(diameter_at(curve, 0.6), 4);
-  EXPECT_TRUE(std::isnan(diameter_at({}, 0.5)));
-}
-
-TEST(SizeCurve, OfSeveralSamplesGivesEachTheSameSay) {
-  const AggregateSample one = of({{2, 1, 0, 1}}), other = of({{4, 1, 0, 1}, {4, 1, 0, 1}}), none;
-  const PooledSizes pool({&one, &other, &none});
-  ASSERT_EQ(pool.curve().diameter, (std::vector<double>{2, 4}));
-  EXPECT_DOUBLE_EQ(pool.curve().below[0], 0.5);
-  EXPECT_DOUBLE_EQ(pool.curve_without(2).below[0], 0.5);
-  EXPECT_EQ(pool.curve_without(0).diameter, (std::vector<double>{4}));
-  EXPECT_TRUE(PooledSizes({&one}).curve_without(0).diameter.empty());
-}
-
-TEST(SizeCurve, LiesApartByTheLargestAndTheMeanDifference) {
-  const SizeCurve first{{1, 2}, {0.4, 1}}, second{{1, 3}, {0.1, 1}};
-  const SizeDistance distance = distance_between(first, second);
-  EXPECT_DOUBLE_EQ(distance.largest, 0.9);
-  EXPECT_DOUBLE_EQ(distance.mean, 0.3 + 0.9);
-  EXPECT_EQ(distance_between(first, first).largest, 0);
-  EXPECT_EQ(distance_between(first, first).mean, 0);
-  EXPECT_TRUE(std::isnan(distance_between(first, {}).largest));
+TEST(AggregateSample, HasItsSizesByWeightedArea) {
+  AggregateSample sample;
+  sample.aggregates = {{4, 1, 0, 1}, {2, 1, 0, 3}};
+  const std::vector<WeightedValue> sizes = sizes_by_area(sample);
+  ASSERT_EQ(sizes.size(), 2u);
+  EXPECT_EQ(sizes[1].value, 2);
+  EXPECT_DOUBLE_EQ(sizes[0].weight, 4 * pi);
+  EXPECT_DOUBLE_EQ(sizes[1].weight, 3 * pi);
 }
 
 }  // namespace

@@ -50,6 +50,19 @@ TEST(Misfit, OfSizesIsTheDistanceOfTheirCurves) {
   EXPECT_DOUBLE_EQ(misfit.sizes_mean.largest, 2);
 }
 
+TEST(Misfit, OfNeighboursIsTheDistanceOfTheirDistributions) {
+  Descriptors original = with(0.5, 10, {0.5});
+  std::vector<Descriptors> twins{original, original, original};
+  original.gaps = {0, 0, 2, 3};
+  twins[0].gaps = {1, 2, 3, 4};
+  twins[1].gaps = {1, 2, 3, 4};
+  twins[2].gaps = {1, 2, 4, 4};
+  const Misfit misfit = compare(original, twins);
+  EXPECT_DOUBLE_EQ(misfit.gaps.original, 0.5);
+  EXPECT_DOUBLE_EQ(misfit.gaps.largest, 0.25);
+  EXPECT_FALSE(misfit.gaps.within());
+}
+
 TEST(Misfit, OfASingleTwinHasNoScatterAndNoVerdict) {
   const Misfit misfit = compare(with(0.5, 10, {0.5}), {with(0.4, 10, {0.4})});
   EXPECT_TRUE(std::isnan(misfit.fraction.deviation));
