@@ -5,6 +5,7 @@
 
 #include "specimen/specimen_file.hpp"
 #include "tests/apps/program_in_folder.hpp"
+#include "tests/apps/small_specimen.hpp"
 
 namespace {
 
@@ -115,6 +116,11 @@ TEST_F(TwinCommand, RefusesAnOriginalWithoutAggregates) {
   expect_refusal(
       {"mortar.h5"}, Exit::data,
       "original: no aggregate; twins need aggregates to be like; look at how the phases are told apart");
+  specimen::write_specimen("foreign.h5", test::small_specimen());
+  expect_refusal(
+      {"foreign.h5"}, Exit::data,
+      "foreign.h5: has aggregate but tells of no inclusions; twins need their outlines; export its labels "
+      "as a picture and give that");
 }
 
 }  // namespace
