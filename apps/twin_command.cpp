@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "apps/interrupt.hpp"
 #include "apps/read_option.hpp"
 #include "apps/run_location.hpp"
-#include "apps/specimen_output.hpp"
+#include "apps/specimen_input.hpp"
 #include "apps/specimen_source.hpp"
 #include "apps/terminal_line.hpp"
 #include "apps/twin_folder.hpp"
@@ -33,17 +32,6 @@ constexpr const char* footer =
     "all.\n"
     "Example: fifty specimens like a photograph that is 150 mm wide\n"
     "  mesopix twin photo.jpg --width \"150 mm\" --pixels 300 -n 50";
-
-Resolved resolve_input(const std::string& input, std::vector<Assignment> given) {
-  const InputKind kind = kind_of_input(input);
-  if (kind == InputKind::folder)
-    throw Rejected(Exit::usage, complaint("PICTURE", input + " is a folder",
-                                          "must be a picture, a specimen.h5 or a scene.toml"));
-  if (kind == InputKind::scene) return resolve(read_scene_file(input), given);
-  const char* key = kind == InputKind::hdf5 ? "specimen.file" : "specimen.picture";
-  given.insert(given.begin(), given_as_option(key, Kind::path, "PICTURE", input));
-  return resolve({}, given);
-}
 
 Quantity length(Bounds bounds, std::optional<Word> word = {}) { return {Dimension::length, bounds, word}; }
 
@@ -137,7 +125,7 @@ Exit TwinCommand::run(Console& console) {
   if (input_.empty())
     throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix twin PICTURE"));
   (void)twin_options();
-  Resolved resolved = resolve_input(input_, settings_.assignments());
+  Resolved resolved = resolve_input("PICTURE", input_, settings_.assignments());
   console.origins = resolved.origins;
   settle_source(resolved.settings);
   Prepared prepared = prepare_specimen(resolved.settings);
