@@ -18,6 +18,7 @@
 #include "apps/report_command.hpp"
 #include "apps/simulate_command.hpp"
 #include "apps/suggestion.hpp"
+#include "apps/twin_command.hpp"
 #include "apps/version.hpp"
 #include "libmpm/error.hpp"
 #include "specimen/error.hpp"
@@ -44,6 +45,7 @@ class Program {
     root_.allow_extras();
     add<GenerateCommand>();
     add<ConvertCommand>();
+    add<TwinCommand>();
     add<SimulateCommand>();
     add<CalibrateCommand>();
     add<InspectCommand>();

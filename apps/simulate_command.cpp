@@ -13,9 +13,9 @@
 #include "apps/read_option.hpp"
 #include "apps/resumption.hpp"
 #include "apps/run_location.hpp"
-#include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/solving.hpp"
+#include "apps/specimen_input.hpp"
 #include "apps/specimen_source.hpp"
 
 namespace app {
@@ -32,17 +32,6 @@ constexpr const char* footer =
     "The settings of the specimen are options too, by their keys: --generate.fraction 0.4, --convert.width "
     "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
     "a scene.";
-
-Resolved resolve_input(const std::string& input, std::vector<Assignment> given) {
-  const InputKind kind = kind_of_input(input);
-  if (kind == InputKind::folder)
-    throw Rejected(Exit::usage,
-                   complaint("INPUT", input, "is a folder; must be a specimen, a scene or a picture"));
-  if (kind == InputKind::scene) return resolve(read_scene_file(input), given);
-  const char* key = kind == InputKind::hdf5 ? "specimen.file" : "specimen.picture";
-  given.insert(given.begin(), given_as_option(key, Kind::path, "INPUT", input));
-  return resolve({}, given);
-}
 
 /// Gives the scene the rate, step and precision that the tolerance asks for.   @return their error.
 output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
@@ -164,7 +153,7 @@ Exit SimulateCommand::begin(Console& console) {
   RunRemarks remarks;
   remarks.estimate_error = estimate_error_;
   remarks.checkpoint_every = checkpoint_every().value_or(0);
-  Resolved resolved = resolve_input(input_, settings_.assignments());
+  Resolved resolved = resolve_input("INPUT", input_, settings_.assignments());
   console.origins = resolved.origins;
   Settings& settings = resolved.settings;
   settle_source(settings);

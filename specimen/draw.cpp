@@ -2,8 +2,11 @@
 #include <cmath>
 #include <string>
 
+#include "specimen/canvas.hpp"
 #include "specimen/error.hpp"
 #include "specimen/gap_test.hpp"
+#include "specimen/measure.hpp"
+#include "specimen/placement.hpp"
 #include "specimen/rotation.hpp"
 #include "specimen/spatial_grid.hpp"
 #include "specimen/specimen.hpp"
@@ -12,27 +15,8 @@
 namespace specimen {
 namespace {
 
-// A millionth of a pixel or of an ellipse: what is lost by writing numbers in decimals is no user's mistake.
+// A millionth of an ellipse: what is lost by writing numbers in decimals is no user's mistake.
 constexpr double tolerance = 1e-6;
-
-int whole_pixels(const char* field, double size, double pixel_size) {
-  if (!(size > 0) || !std::isfinite(size)) throw Error(field, millimetres(size), "must be > 0");
-  constexpr double most = 100'000;
-  const double pixels = size / pixel_size, whole = std::round(pixels);
-  if (pixels > most) {
-    throw Error(field, millimetres(size),
-                "is " + number(pixels) + " pixels of " + millimetres(pixel_size) + "; at most " +
-                    number(most) + " are allowed",
-                "raise the pixel size");
-  }
-  if (whole < 1 || std::abs(pixels - whole) > tolerance) {
-    const double below = std::floor(pixels), above = below + 1;
-    throw Error(field, millimetres(size), "must be a whole number of pixels of " + millimetres(pixel_size),
-                "take " + (below > 0 ? millimetres(below * pixel_size) + " or " : "") +
-                    millimetres(above * pixel_size));
-  }
-  return static_cast<int>(whole);
-}
 
 std::string name_of(std::size_t i, const Ellipse& e) {
   return "number " + std::to_string(i + 1) + " at (" + number(e.x * 1e3) + ", " + number(e.y * 1e3) + ") mm";
@@ -109,13 +93,20 @@ class Scanline {
   }
 
  private:
+  // May lie outside by one, so that an interval beyond the mask stays empty.
   int column(double at) const {
-    return static_cast<int>(std::clamp(std::round(at), 0.0, mask_.labels.cols - 1.0));
+    return static_cast<int>(std::clamp(std::round(at), -1.0, static_cast<double>(mask_.labels.cols)));
   }
   const Ellipse& e_;
   const LabelledMask& mask_;
   double xx_, xy_;
 };
+
+Segmented blank(const Canvas& canvas, double pixel_size) {
+  return {{{canvas.rows, canvas.cols, phase::mortar}, pixel_size, standard_phases()},
+          {canvas.rows, canvas.cols, 0},
+          {}};
+}
 
 std::int64_t fill(const Ellipse& e, std::int32_t id, LabelledMask& mask, Raster<std::int32_t>& instances) {
   const int rows = mask.labels.rows;
@@ -130,7 +121,7 @@ std::int64_t fill(const Ellipse& e, std::int32_t id, LabelledMask& mask, Raster<
       mask.labels(row, col) = phase::aggregate;
       instances(row, col) = id;
     }
-    filled += last - first + 1;
+    filled += std::max(0, last - first + 1);
   }
   return filled;
 }
@@ -139,20 +130,9 @@ std::int64_t fill(const Ellipse& e, std::int32_t id, LabelledMask& mask, Raster<
 
 Segmented draw_ellipses(const std::vector<Ellipse>& ellipses, double width, double height,
                         double pixel_size) {
-  if (!(pixel_size > 0) || !std::isfinite(pixel_size))
-    throw Error("generate.pixel_size", millimetres(pixel_size), "must be > 0");
-  const int cols = whole_pixels("generate.width", width, pixel_size);
-  const int rows = whole_pixels("generate.height", height, pixel_size);
-  constexpr std::int64_t most_pixels = 200'000'000;
-  if (std::int64_t{rows} * cols > most_pixels) {
-    throw Error("generate.pixel_size", millimetres(pixel_size),
-                "makes " + std::to_string(cols) + " x " + std::to_string(rows) + " pixels; at most " +
-                    number(static_cast<double>(most_pixels)) + " are allowed",
-                "raise the pixel size");
-  }
+  const Canvas canvas = canvas_of(width, height, pixel_size, "generate");
   check(ellipses, width, height);
-
-  Segmented drawn{{{rows, cols, phase::mortar}, pixel_size, standard_phases()}, {rows, cols, 0}, {}};
+  Segmented drawn = blank(canvas, pixel_size);
   drawn.inclusions.reserve(ellipses.size());
   for (std::size_t i = 0; i < ellipses.size(); ++i) {
     const int id = static_cast<int>(i) + 1;
@@ -163,6 +143,18 @@ Segmented draw_ellipses(const std::vector<Ellipse>& ellipses, double width, doub
     }
     drawn.inclusions.push_back(make_inclusion(id, ellipses[i]));
   }
+  return drawn;
+}
+
+Segmented draw_window(const std::vector<Ellipse>& ellipses, double width, double height, double pixel_size) {
+  Segmented drawn = blank(canvas_of(width, height, pixel_size, "generate"), pixel_size);
+  std::vector<const Ellipse*> seen;
+  for (const Ellipse& e : ellipses)
+    if (fill(e, static_cast<int>(seen.size()) + 1, drawn.mask, drawn.instances) > 0) seen.push_back(&e);
+  drawn.inclusions = measure_inclusions(drawn.instances, pixel_size);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (clear_of_walls(*seen[i], {width, height, 0}))
+      drawn.inclusions[i] = make_inclusion(static_cast<int>(i) + 1, *seen[i]);
   return drawn;
 }
 

@@ -7,8 +7,7 @@
 #include <string>
 
 #include "specimen/error.hpp"
-#include "specimen/placement.hpp"
-#include "specimen/relaxation.hpp"
+#include "specimen/settle.hpp"
 #include "specimen/sizes.hpp"
 #include "specimen/wording.hpp"
 
@@ -91,46 +90,11 @@ std::vector<Ellipse> shape(const std::vector<double>& diameters, const PackingOp
   return ellipses;
 }
 
-// Random direction and centre; false when the ellipse does not fit between the walls at that direction.
-bool drop(Ellipse& e, const PackingOptions& options, Random& random) {
-  e.angle = random.uniform(0, std::numbers::pi);
-  const double u = random.uniform(), v = random.uniform();
-  const Point half = half_extent(e);
-  const double x_room = options.width - 2 * (half.x + options.gap);
-  const double y_room = options.height - 2 * (half.y + options.gap);
-  e.x = half.x + options.gap + u * x_room;
-  e.y = half.y + options.gap + v * y_room;
-  return x_room >= 0 && y_room >= 0;
-}
-
-void drop_between_walls(Ellipse& e, const PackingOptions& options, Random& random) {
-  for (int tries = 0; tries < 1000; ++tries) {
-    if (drop(e, options, random)) return;
-  }
+[[noreturn]] void refuse_size(const Ellipse& e, const PackingOptions& options) {
   throw Error("generate.d_max", millimetres(options.grading.front().d_max),
               "an aggregate of " + millimetres(2 * e.a) + " x " + millimetres(2 * e.b) +
                   " does not fit between the walls at any direction that was tried",
               "lower d_max, raise aspect_min or take a larger specimen");
-}
-
-// Largest first, each at the first of its random places that is free. Those that find none stay where they
-// were dropped last.   @return number of these.
-int place(std::vector<Ellipse>& ellipses, const PackingOptions& options, const Room& room, Random& random) {
-  constexpr int most_tries = 500;
-  Placement placement(room, ellipses.size());
-  int homeless = 0;
-  for (Ellipse& e : ellipses) {
-    bool found = false;
-    for (int tries = 0; tries < most_tries && !found; ++tries) {
-      drop_between_walls(e, options, random);
-      found = placement.has_room_for(e);
-    }
-    if (found)
-      placement.place(e);
-    else
-      ++homeless;
-  }
-  return homeless;
 }
 
 // Ellipses that are to fill a fraction, not yet anywhere.
@@ -145,10 +109,10 @@ std::optional<Packing> try_to_pack(const PackingOptions& options) {
   const Room room{options.width, options.height, options.gap};
   Packing packing{draw_ellipses_to_fill(options, random), 0, false};
   if (fraction_with_gaps(packing.ellipses, options) > 1) return std::nullopt;
-  if (place(packing.ellipses, options, room, random) > 0) {
-    packing.relaxed = true;
-    if (!relax(packing.ellipses, room).solved) return std::nullopt;
-  }
+  const Settlement settlement = settle(packing.ellipses, room, Turning::free, random);
+  if (settlement.too_large) refuse_size(packing.ellipses[*settlement.too_large], options);
+  if (!settlement.solved) return std::nullopt;
+  packing.relaxed = settlement.relaxed;
   packing.fraction = fraction_of(packing.ellipses, options);
   return packing;
 }

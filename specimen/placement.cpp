@@ -1,10 +1,23 @@
 #include "specimen/placement.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "specimen/plane.hpp"
 
 namespace specimen {
 
+std::vector<Point> repeats(const Room& room) {
+  std::vector<Point> shifts{{0, 0}};
+  if (!room.periodic) return shifts;
+  for (const int across : {-1, 0, 1})
+    for (const int up : {-1, 0, 1})
+      if (across != 0 || up != 0) shifts.push_back({across * room.width, up * room.height});
+  return shifts;
+}
+
 bool clear_of_walls(const Ellipse& e, const Room& room) {
+  if (room.periodic) return true;
   const Point half = half_extent(e);
   return e.x - half.x >= room.gap && room.width - (e.x + half.x) >= room.gap && e.y - half.y >= room.gap &&
          room.height - (e.y + half.y) >= room.gap;
@@ -15,13 +28,20 @@ double cell_for(const Room& room, std::size_t count) {
 }
 
 Placement::Placement(const Room& room, std::size_t count)
-    : room_(room), grid_(room.width, room.height, cell_for(room, count)) {}
+    : room_(room), grid_(room.width, room.height, cell_for(room, count)), repeats_(repeats(room)) {}
+
+bool Placement::is_clear(const Body& body) const {
+  return grid_.visit_near(box_round(body, room_.gap / 2), [&](int other) {
+    return test_gap(body, bodies_[static_cast<std::size_t>(other)], room_.gap).separated;
+  });
+}
 
 bool Placement::has_room_for(const Ellipse& e) const {
   if (!clear_of_walls(e, room_)) return false;
-  const Body body = body_of(e);
-  return grid_.visit_near(box_round(body, room_.gap / 2), [&](int other) {
-    return test_gap(body, bodies_[static_cast<std::size_t>(other)], room_.gap).separated;
+  Body body = body_of(e);
+  return std::all_of(repeats_.begin(), repeats_.end(), [&](Point shift) {
+    body.centre = Point{e.x, e.y} + shift;
+    return is_clear(body);
   });
 }
 

@@ -14,16 +14,24 @@ namespace {
 // Two bodies that may touch, and the direction across their gap when it was last looked at.
 struct Neighbours {
   int first, second;
+  Point shift;  // of the second, to where a periodic room repeats it
   Point u;
 };
 
+Body shifted(Body body, Point shift) {
+  body.centre = body.centre + shift;
+  return body;
+}
+
 class Relaxer {
  public:
-  Relaxer(std::vector<Ellipse>& ellipses, const Room& room);
+  Relaxer(std::vector<Ellipse>& ellipses, const Room& room, Turning turning);
   Relaxation run();
+  void bring_inside();
 
  private:
   void find_neighbours();
+  void find_neighbours_of(int i, Point shift);
   void push_apart(Neighbours& pair);
   void push_from_walls(int i);
   void push_from_wall(int i, Point inward, double wall);
@@ -35,6 +43,7 @@ class Relaxer {
 
   std::vector<Ellipse>& ellipses_;
   Room room_;
+  std::vector<Point> repeats_;
   SpatialGrid grid_;
   std::vector<Body> bodies_;
   std::vector<double> ease_;      // of a shift: 1 / area, up to a factor
@@ -48,13 +57,16 @@ class Relaxer {
   double unrest_ = 0;                // sum of the squares of what lacked, in the last sweep [m^2]
 };
 
-Relaxer::Relaxer(std::vector<Ellipse>& ellipses, const Room& room)
-    : ellipses_(ellipses), room_(room), grid_(room.width, room.height, cell_for(room, ellipses.size())) {
+Relaxer::Relaxer(std::vector<Ellipse>& ellipses, const Room& room, Turning turning)
+    : ellipses_(ellipses),
+      room_(room),
+      repeats_(repeats(room)),
+      grid_(room.width, room.height, cell_for(room, ellipses.size())) {
   double thinnest = infinite;
   for (const Ellipse& e : ellipses) {
     bodies_.push_back(body_of(e));
     ease_.push_back(1 / (e.a * e.b));
-    turnable_.push_back(4 * ease_.back() / (e.a * e.a + e.b * e.b));
+    turnable_.push_back(turning == Turning::fixed ? 0 : 4 * ease_.back() / (e.a * e.a + e.b * e.b));
     thinnest = std::min(thinnest, e.b);
   }
   // The billionth covers the rounding of the angles when the result is brought to [0, pi).
@@ -63,26 +75,39 @@ Relaxer::Relaxer(std::vector<Ellipse>& ellipses, const Room& room)
   skin_ = thinnest;
 }
 
+void Relaxer::bring_inside() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Ellipse& e = ellipses_[i];
+    e.x -= room_.width * std::floor(e.x / room_.width);
+    e.y -= room_.height * std::floor(e.y / room_.height);
+    bodies_[i].centre = {e.x, e.y};
+  }
+}
+
+void Relaxer::find_neighbours_of(int i, Point shift) {
+  const double near = room_.gap + skin_;
+  const Body body = shifted(bodies_[i], shift);
+  grid_.visit_near(box_round(body, near / 2), [&](int j) {
+    const Body& other = bodies_[j];
+    const Point r = body.centre - other.centre;
+    const double reach = body.a + other.a + near;
+    if (dot(r, r) > reach * reach) return true;
+    const Point start = dot(r, r) > 0 ? normalized(r) : Point{1, 0};
+    const Point u = widest_direction_from(other, body, start);
+    if (strip_between(other, body, u).width < near) pairs_.push_back({j, i, shift, u});
+    return true;
+  });
+}
+
 void Relaxer::find_neighbours() {
   grid_.clear();
   pairs_.clear();
+  if (room_.periodic) bring_inside();
   when_found_ = ellipses_;
   outdated_ = false;
-  const double near = room_.gap + skin_;
   for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
-    const Body& body = bodies_[i];
-    const Box box = box_round(body, near / 2);
-    grid_.visit_near(box, [&](int j) {
-      const Body& other = bodies_[j];
-      const Point r = body.centre - other.centre;
-      const double reach = body.a + other.a + near;
-      if (dot(r, r) > reach * reach) return true;
-      const Point start = dot(r, r) > 0 ? normalized(r) : Point{1, 0};
-      const Point u = widest_direction_from(other, body, start);
-      if (strip_between(other, body, u).width < near) pairs_.push_back({j, i, u});
-      return true;
-    });
-    grid_.add(box);
+    for (const Point shift : repeats_) find_neighbours_of(i, shift);
+    grid_.add(box_round(bodies_[i], (room_.gap + skin_) / 2));
   }
 }
 
@@ -105,7 +130,7 @@ void Relaxer::shove(int i, Point n, Point at, double impulse) {
 }
 
 void Relaxer::push_apart(Neighbours& pair) {
-  const Body &first = bodies_[pair.first], &second = bodies_[pair.second];
+  const Body first = bodies_[pair.first], second = shifted(bodies_[pair.second], pair.shift);
   // One strip that is wide enough proves the gap, whatever its direction.
   if (strip_between(first, second, pair.u).width >= clear_) return;
   pair.u = widest_direction_from(first, second, pair.u);
@@ -134,6 +159,7 @@ void Relaxer::push_from_wall(int i, Point inward, double wall) {
 }
 
 void Relaxer::push_from_walls(int i) {
+  if (room_.periodic) return;
   push_from_wall(i, {1, 0}, 0);
   push_from_wall(i, {-1, 0}, -room_.width);
   push_from_wall(i, {0, 1}, 0);
@@ -175,9 +201,11 @@ Relaxation Relaxer::run() {
 
 }  // namespace
 
-Relaxation relax(std::vector<Ellipse>& ellipses, const Room& room) {
+Relaxation relax(std::vector<Ellipse>& ellipses, const Room& room, Turning turning) {
   if (ellipses.empty()) return {true, 0};
-  Relaxation result = Relaxer(ellipses, room).run();
+  Relaxer relaxer(ellipses, room, turning);
+  Relaxation result = relaxer.run();
+  if (room.periodic) relaxer.bring_inside();
   for (Ellipse& e : ellipses) e.angle -= std::numbers::pi * std::floor(e.angle / std::numbers::pi);
   if (result.solved) result.solved = without_collisions(ellipses, room).size() == ellipses.size();
   return result;

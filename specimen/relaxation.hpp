@@ -14,10 +14,18 @@ struct Relaxation {
   int sweeps = 0;       ///< over all neighbours
 };
 
+/// Whether ellipses may be turned.
+enum class Turning {
+  free,
+  fixed,  ///< every ellipse keeps its angle
+};
+
 /// Move and turn the ellipses until all of them keep the gap of the room.
 /// Pairs that come too near are pushed apart along the direction of their gap, at the points that face each
 /// other, as if they were rigid and weighed their area: so they turn as well, and small ones give way. Stops
 /// when the overlaps no longer shrink. The work is bounded, and linear in the number of ellipses.
-[[nodiscard]] Relaxation relax(std::vector<Ellipse>& ellipses, const Room& room);
+/// In a periodic room the centres end inside.
+[[nodiscard]] Relaxation relax(std::vector<Ellipse>& ellipses, const Room& room,
+                               Turning turning = Turning::free);
 
 }  // namespace specimen

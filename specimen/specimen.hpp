@@ -46,4 +46,10 @@ struct Segmented {
 [[nodiscard]] Segmented draw_ellipses(const std::vector<Ellipse>& ellipses, double width, double height,
                                       double pixel_size);
 
+/// The same through a window, whose border may cut ellipses. What lies outside, or between the centres of
+/// pixels, is left out; ids follow the order of the others. An inclusion that is cut has a contour.
+/// @pre the ellipses do not overlap.   @throws Error for a size that is no whole number of pixels.
+[[nodiscard]] Segmented draw_window(const std::vector<Ellipse>& ellipses, double width, double height,
+                                    double pixel_size);
+
 }  // namespace specimen

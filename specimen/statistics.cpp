@@ -1,10 +1,12 @@
 #include "specimen/statistics.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
+
+#include "specimen/image_correlation.hpp"
 
 namespace specimen {
 namespace {
@@ -42,34 +44,20 @@ double passing(const Grading& grading, double diameter) {
   return sum;
 }
 
-// One bit a pixel, 64 to a word, every line padded with zeros by a word.
-struct BitLines {
-  std::size_t words;  // of a line
-  std::vector<std::uint64_t> bits;
-
-  BitLines(int lines, int length)
-      : words(static_cast<std::size_t>(length) / 64 + 2), bits(static_cast<std::size_t>(lines) * words, 0) {}
-  void set(int line, int at) {
-    bits[static_cast<std::size_t>(line) * words + static_cast<std::size_t>(at) / 64] |= std::uint64_t{1}
-                                                                                        << (at % 64);
+// Pairs that were found and pairs that there are, per distance.
+struct PairCount {
+  std::vector<double> found, all;
+  explicit PairCount(int lags) : found(lags, 0), all(lags, 0) {}
+  void add(std::size_t lag, double pairs, double possible) {
+    found[lag] += pairs;
+    all[lag] += possible;
+  }
+  [[nodiscard]] std::vector<double> shares() const {
+    std::vector<double> result(found.size());
+    for (std::size_t lag = 0; lag < found.size(); ++lag) result[lag] = found[lag] / all[lag];
+    return result;
   }
 };
-
-// Number of pairs of set bits `lag` apart on one line, over all lines.
-std::int64_t pairs_at(const BitLines& lines, int lag) {
-  const std::size_t skip = static_cast<std::size_t>(lag) / 64;
-  const int shift = lag % 64;
-  std::int64_t pairs = 0;
-  for (std::size_t start = 0; start < lines.bits.size(); start += lines.words) {
-    const std::uint64_t* line = lines.bits.data() + start;
-    for (std::size_t w = 0; w + skip + 1 < lines.words; ++w) {
-      const std::uint64_t low = line[w + skip] >> shift;
-      const std::uint64_t high = shift == 0 ? 0 : line[w + skip + 1] << (64 - shift);
-      pairs += std::popcount(line[w] & (low | high));
-    }
-  }
-  return pairs;
-}
 
 // Edges between a pixel of the label and one of another, per pair of pixels that lie (down, right) apart.
 std::int64_t crossings(const LabelledMask& mask, std::uint8_t label, int down, int right) {
@@ -110,24 +98,26 @@ std::vector<Passing> sieve_curve(const std::vector<Inclusion>& inclusions, const
 }
 
 TwoPoint two_point_correlation(const LabelledMask& mask, std::uint8_t label) {
-  const int rows = mask.labels.rows, cols = mask.labels.cols;
-  BitLines along_rows(rows, cols), along_cols(cols, rows);
-  for (int row = 0; row < rows; ++row) {
-    for (int col = 0; col < cols; ++col) {
-      if (mask.labels(row, col) != label) continue;
-      along_rows.set(row, col);
-      along_cols.set(col, row);
+  if (mask.labels.empty()) return {};
+  const int rows = mask.labels.rows, cols = mask.labels.cols, most = std::min(rows, cols) / 2;
+  Raster<std::uint8_t> set(rows, cols);
+  std::transform(mask.labels.data.begin(), mask.labels.data.end(), set.data.begin(),
+                 [label](std::uint8_t one) { return static_cast<std::uint8_t>(one == label); });
+  const Raster<std::int64_t> pairs = count_pairs(set, most);
+  PairCount radial(most + 1), along_x(most + 1), along_y(most + 1);
+  for (int down = 0; down <= most; ++down) {
+    for (int right = down == 0 ? 0 : -most; right <= most; ++right) {
+      const long lag = std::lround(std::hypot(down, right));
+      if (lag > most) continue;
+      const auto found = static_cast<double>(pairs(down, most + right));
+      const double possible = static_cast<double>(rows - down) * (cols - std::abs(right));
+      radial.add(lag, found, possible);
+      if (down == 0) along_x.add(lag, found, possible);
+      if (right == 0) along_y.add(lag, found, possible);
     }
   }
-  TwoPoint s2;
-  for (int lag = 0; lag <= std::min(rows, cols) / 2 && !mask.labels.empty(); ++lag) {
-    const double pairs_in_rows = static_cast<double>(rows) * (cols - lag);
-    const double pairs_in_cols = static_cast<double>(cols) * (rows - lag);
-    s2.distance.push_back(lag * mask.pixel_size);
-    s2.probability.push_back((static_cast<double>(pairs_at(along_rows, lag)) / pairs_in_rows +
-                              static_cast<double>(pairs_at(along_cols, lag)) / pairs_in_cols) /
-                             2);
-  }
+  TwoPoint s2{{}, radial.shares(), along_x.shares(), along_y.shares()};
+  for (int lag = 0; lag <= most; ++lag) s2.distance.push_back(lag * mask.pixel_size);
   return s2;
 }
 

@@ -16,10 +16,14 @@ struct Passing {
   double target = 0;    ///< the same of the grading [-]; NaN when no grading was asked for
 };
 
-/// Two-point probability function S2 of one phase.
+/// Two-point probability function S2 of one phase: that both ends of a segment lie in the phase. It begins
+/// with the fraction of the phase and tends to the square of it. Source: Torquato (2002), Random
+/// Heterogeneous Materials, ch. 2.
 struct TwoPoint {
-  std::vector<double> distance;     ///< [m]
-  std::vector<double> probability;  ///< that both ends of a segment of that length lie in the phase [-]
+  std::vector<double> distance;  ///< length of the segment, a pixel from one to the next [m]
+  std::vector<double> radial;    ///< in the mean over all directions, for lengths that round to that [-]
+  std::vector<double> along_x;   ///< along rows [-]
+  std::vector<double> along_y;   ///< along columns [-]
 };
 
 /// Share of each label [-], shape (phases.size()).
@@ -29,7 +33,7 @@ struct TwoPoint {
 [[nodiscard]] std::vector<Passing> sieve_curve(const std::vector<Inclusion>& inclusions,
                                                const Grading& target);
 
-/// S2 along rows and columns, averaged, up to half of the shorter side.
+/// S2 up to half of the shorter side. Segments that leave the mask do not count: nothing is taken to repeat.
 [[nodiscard]] TwoPoint two_point_correlation(const LabelledMask& mask, std::uint8_t label);
 
 /// Length of the boundary of a label along pixel edges, corrected for the staircase by the Cauchy-Crofton

@@ -54,7 +54,7 @@ thead th { color: var(--muted); font-size: 14px; }
 .verdict.agrees { color: var(--third); }
 .verdict.disagrees { color: var(--second); }
 .verdict.depends { color: var(--first); }
-.pair + .scroll, .pair + .pair, .pair + p, .chart + .scroll, .pictures + h3, .remarks + .legend { margin-top: 28px; }
+.pair + .scroll, .pair + .pair, .pair + p, .scroll + p, .chart + .scroll, .pictures + h3, .remarks + .legend { margin-top: 28px; }
 .legend.below { margin: 10px 0 0; }
 img { display: block; max-width: 100%; height: auto; border: 1px solid var(--rule); background: #fff; }
 img.pixels { image-rendering: pixelated; }

@@ -141,5 +141,31 @@ TEST(Draw, SizeMustBeAWholeNumberOfPixels) {
   EXPECT_THAT(refusal({}, 5, 5, 0.1 * mm), testing::HasSubstr("makes 50000 x 50000 pixels"));
 }
 
+TEST(DrawWindow, CutsAtTheBorderAndLeavesOutWhatIsNotSeen) {
+  const std::vector<Ellipse> ellipses{{0, 0.05, 0.02, 0.01, 0},         // half of it
+                                      {-0.5, 0.05, 0.02, 0.01, 0},      // far outside
+                                      {0.05, 0.05, 0.0004, 0.0003, 0},  // between the centres
+                                      {0.06, 0.07, 0.02, 0.01, 0.4},    // whole
+                                      {0.1, 0.1, 0.01, 0.01, 0}};       // a quarter
+  const Segmented drawn = draw_window(ellipses, 0.1, 0.1, 1 * mm);
+  ASSERT_EQ(drawn.inclusions.size(), 3u);
+  for (int id = 1; id <= 3; ++id) EXPECT_EQ(drawn.inclusions[static_cast<std::size_t>(id - 1)].id, id);
+  EXPECT_FALSE(drawn.inclusions[0].contour.empty());
+  EXPECT_NEAR(drawn.inclusions[0].area, std::numbers::pi * 0.02 * 0.01 / 2, 5e-6);
+  EXPECT_TRUE(drawn.inclusions[1].contour.empty());
+  EXPECT_EQ(drawn.inclusions[1].ellipse, ellipses[3]);
+  EXPECT_NEAR(drawn.inclusions[2].area, std::numbers::pi * 0.01 * 0.01 / 4, 5e-6);
+  for (int row = 0; row < 100; ++row) {
+    for (int col = 0; col < 100; ++col) {
+      int id = 0;
+      for (const int i : {0, 3, 4})
+        if (contains(ellipses[static_cast<std::size_t>(i)], drawn.mask.centre(row, col)))
+          id = i == 0 ? 1 : i - 1;
+      EXPECT_EQ(drawn.instances(row, col), id) << row << ' ' << col;
+      EXPECT_EQ(drawn.mask.labels(row, col), id > 0 ? phase::aggregate : phase::mortar);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace specimen

@@ -86,5 +86,36 @@ TEST(Relaxation, OfNothingIsDone) {
   EXPECT_TRUE(relax(none, {1, 1, 0}).solved);
 }
 
+TEST(Relaxation, InAPeriodicRoomKeepsTheGapThroughTheEdges) {
+  const Room room{0.1, 0.08, 0.5e-3, true};
+  std::vector<Ellipse> ellipses = anywhere(110, 5e-3, 0.65, room);  // 70 % of the room
+  ASSERT_TRUE(relax(ellipses, room).solved);
+  int across_an_edge = 0;
+  for (std::size_t i = 0; i < ellipses.size(); ++i) {
+    const Ellipse& e = ellipses[i];
+    EXPECT_GE(std::min(e.x, e.y), 0);
+    EXPECT_LE(e.x, room.width);
+    EXPECT_LE(e.y, room.height);
+    across_an_edge += !clear_of_walls(e, {room.width, room.height, 0});
+    for (std::size_t j = 0; j < i; ++j)
+      for (const Point shift : repeats(room)) {
+        Ellipse repeated = ellipses[j];
+        repeated.x += shift.x;
+        repeated.y += shift.y;
+        EXPECT_TRUE(separated(e, repeated, room.gap)) << i << ' ' << j;
+      }
+  }
+  EXPECT_GT(across_an_edge, 10);
+}
+
+TEST(Relaxation, LeavesFixedAnglesAlone) {
+  const Room room{0.1, 0.1, 0.5e-3};
+  std::vector<Ellipse> ellipses = anywhere(80, 5e-3, 0.6, room);
+  const std::vector<Ellipse> before = ellipses;
+  ASSERT_TRUE(relax(ellipses, room, Turning::fixed).solved);
+  expect_all_gaps(ellipses, room);
+  for (std::size_t i = 0; i < ellipses.size(); ++i) EXPECT_EQ(ellipses[i].angle, before[i].angle);
+}
+
 }  // namespace
 }  // namespace specimen

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "specimen/packing.hpp"
 #include "specimen/random.hpp"
@@ -69,23 +71,76 @@ TEST(SieveCurve, WithoutAGradingHasTenSizes) {
 TEST(TwoPoint, IsTheCountOfPairs) {
   const LabelledMask mask = noise(130, 200, 0.4);
   const TwoPoint s2 = two_point_correlation(mask, phase::aggregate);
-  ASSERT_EQ(s2.probability.size(), 66u);
+  ASSERT_EQ(s2.radial.size(), 66u);
+  const auto share = [&](int down, int right) {
+    double pairs = 0;
+    for (int row = 0; row + down < 130; ++row) {
+      for (int col = 0; col + right < 200; ++col)
+        pairs += mask.labels(row, col) == phase::aggregate &&
+                 mask.labels(row + down, col + right) == phase::aggregate;
+    }
+    return pairs / ((130 - down) * (200 - right));
+  };
   for (const int lag : {0, 1, 13, 63, 64, 65}) {
-    double along_rows = 0, along_cols = 0;
-    for (int row = 0; row < 130; ++row) {
-      for (int col = 0; col + lag < 200; ++col)
-        along_rows +=
-            mask.labels(row, col) == phase::aggregate && mask.labels(row, col + lag) == phase::aggregate;
-    }
-    for (int row = 0; row + lag < 130; ++row) {
-      for (int col = 0; col < 200; ++col)
-        along_cols +=
-            mask.labels(row, col) == phase::aggregate && mask.labels(row + lag, col) == phase::aggregate;
-    }
-    EXPECT_NEAR(s2.probability[lag],
-                (along_rows / (130 * (200 - lag)) + along_cols / (200 * (130 - lag))) / 2, 1e-15)
-        << lag;
+    EXPECT_NEAR(s2.along_x[lag], share(0, lag), 1e-15) << lag;
+    EXPECT_NEAR(s2.along_y[lag], share(lag, 0), 1e-15) << lag;
     EXPECT_EQ(s2.distance[lag], lag);
+  }
+}
+
+// Lengths that round to 1 are those of (0, 1), (1, 0), (1, 1) and (1, -1).
+TEST(TwoPoint, IsRadiallyTheMeanOfAllShiftsOfALength) {
+  LabelledMask mask{{4, 5, phase::mortar}, 1, standard_phases()};
+  for (const auto& [row, col] : {std::pair{1, 1}, {1, 2}, {2, 2}, {0, 3}}) mask.labels(row, col) = 1;
+  const TwoPoint s2 = two_point_correlation(mask, phase::aggregate);
+  ASSERT_EQ(s2.radial.size(), 3u);
+  EXPECT_DOUBLE_EQ(s2.radial[0], 4.0 / 20);
+  EXPECT_DOUBLE_EQ(s2.radial[1], (1.0 + 1 + 1 + 1) / (4 * 4 + 3 * 5 + 3 * 4 + 3 * 4));
+}
+
+TEST(TwoPoint, OfIndependentPixelsIsTheSquareOfTheFraction) {
+  const TwoPoint s2 = two_point_correlation(noise(400, 400, 0.3), phase::aggregate);
+  EXPECT_NEAR(s2.radial[0], 0.3, 0.005);
+  for (std::size_t lag = 1; lag < s2.radial.size(); ++lag) {
+    EXPECT_NEAR(s2.radial[lag], 0.09, 0.002) << lag;
+    EXPECT_NEAR(s2.along_x[lag], 0.09, 0.006) << lag;
+    EXPECT_NEAR(s2.along_y[lag], 0.09, 0.006) << lag;
+  }
+}
+
+TEST(TwoPoint, OfACheckerboardAlternates) {
+  LabelledMask mask{{60, 80, phase::mortar}, 1, standard_phases()};
+  for (int row = 0; row < 60; ++row)
+    for (int col = 0; col < 80; ++col) mask.labels(row, col) = (row + col) % 2 == 0 ? 1 : 2;
+  const TwoPoint s2 = two_point_correlation(mask, phase::aggregate);
+  for (std::size_t lag = 0; lag < s2.distance.size(); ++lag) {
+    EXPECT_DOUBLE_EQ(s2.along_x[lag], lag % 2 == 0 ? 0.5 : 0);
+    EXPECT_DOUBLE_EQ(s2.along_y[lag], lag % 2 == 0 ? 0.5 : 0);
+  }
+}
+
+// Discs of radius R at independent places, n of them per area: a point is in none of them with probability
+// exp(-n pi R^2), two points with exp(-n U(r)), where U is the area of two discs together.
+TEST(TwoPoint, OfABooleanModelIsTheClosedForm) {
+  constexpr double radius = 8, density = 0.7 / (pi * radius * radius);
+  constexpr int side = 1000;
+  LabelledMask mask{{side, side, phase::mortar}, 1, standard_phases()};
+  Random random(3);
+  const double wide = side + 2 * radius;
+  for (int disc = 0; disc < std::lround(density * wide * wide); ++disc) {
+    const double x = random.uniform(-radius, side + radius), y = random.uniform(-radius, side + radius);
+    for (int row = std::max(0, static_cast<int>(y - radius)); row < std::min(side + 0.0, y + radius); ++row)
+      for (int col = std::max(0, static_cast<int>(x - radius)); col < std::min(side + 0.0, x + radius); ++col)
+        if (std::hypot(row + 0.5 - y, col + 0.5 - x) <= radius) mask.labels(row, col) = phase::aggregate;
+  }
+  const TwoPoint s2 = two_point_correlation(mask, phase::aggregate);
+  const double outside = std::exp(-0.7);
+  for (const int lag : {0, 2, 4, 6, 8, 10, 12, 14, 16, 20, 30}) {
+    const double r = std::min(lag + 0.0, 2 * radius);
+    const double both =
+        2 * radius * radius * std::acos(r / (2 * radius)) - r / 2 * std::sqrt(4 * radius * radius - r * r);
+    const double expected = 1 - 2 * outside + std::exp(-density * (2 * pi * radius * radius - both));
+    EXPECT_NEAR(s2.radial[lag], expected, 0.012) << lag;  // the sampling error of the fraction is 0.008
   }
 }
 
@@ -93,10 +148,10 @@ TEST(TwoPoint, GoesFromTheFractionToItsSquare) {
   const LabelledMask mask = packed();
   const double share = fractions(mask)[phase::aggregate];
   const TwoPoint s2 = two_point_correlation(mask, phase::aggregate);
-  EXPECT_DOUBLE_EQ(s2.probability.front(), share);
+  EXPECT_DOUBLE_EQ(s2.radial.front(), share);
   EXPECT_NEAR(s2.distance.back(), 0.075, 1e-12);
   double far = 0;
-  for (std::size_t lag = 100; lag < 150; ++lag) far += s2.probability[lag] / 50;
+  for (std::size_t lag = 100; lag < 150; ++lag) far += s2.radial[lag] / 50;
   EXPECT_NEAR(far, share * share, 0.02);
 }
 
@@ -109,7 +164,8 @@ TEST(TwoPoint, FallsWithThePerimeter) {
   double boundary = 0;
   for (const Ellipse& e : ellipses) boundary += perimeter(e);
   const TwoPoint s2 = two_point_correlation(mask, phase::aggregate);
-  const double slope = (s2.probability[2] - s2.probability[0]) / s2.distance[2];  // up to the gap of 0.5 mm
+  const auto fall = [&](const std::vector<double>& s) { return (s[2] - s[0]) / s2.distance[2]; };
+  const double slope = (fall(s2.along_x) + fall(s2.along_y)) / 2;  // up to the gap of 0.5 mm
   const double expected = -boundary / (pi * 0.15 * 0.15) + 0.45 / 0.15;
   EXPECT_NEAR(slope / expected, 1, 0.03);
 }
@@ -121,8 +177,9 @@ TEST(TwoPoint, OfStripesIsPeriodicAcrossAndConstantAlong) {
       mask.labels(row, col) = row / 4 % 2 == 0 ? phase::aggregate : phase::mortar;
   }
   const TwoPoint s2 = two_point_correlation(mask, phase::aggregate);
-  EXPECT_DOUBLE_EQ(s2.probability[4], (0.5 + 0) / 2);
-  EXPECT_DOUBLE_EQ(s2.probability[8], (0.5 + 0.5) / 2);
+  EXPECT_DOUBLE_EQ(s2.along_x[4], 0.5);
+  EXPECT_DOUBLE_EQ(s2.along_y[4], 0);
+  EXPECT_DOUBLE_EQ(s2.along_y[8], 0.5);
 }
 
 TEST(Perimeter, OfADiscIsRightToTwoPerCent) {
