@@ -1,10 +1,10 @@
-#include "apps/reproduce/statistics.hpp"
+#include "apps/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace app::reproduce {
+namespace app {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -76,4 +76,4 @@ double share_within(const std::vector<double>& values, double low, double high) 
   return values.empty() ? no_number : static_cast<double>(inside) / static_cast<double>(values.size());
 }
 
-}  // namespace app::reproduce
+}  // namespace app

@@ -1,10 +1,10 @@
-#include "apps/reproduce/curve.hpp"
+#include "apps/curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace app::reproduce {
+namespace app {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -88,4 +88,4 @@ double drop_ratio(const mpm::Result& result, double share) {
   return no_number;
 }
 
-}  // namespace app::reproduce
+}  // namespace app

@@ -1,4 +1,4 @@
-#include "apps/reproduce/weibull_fit.hpp"
+#include "apps/weibull_fit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace {
 
-using namespace app::reproduce;
+using namespace app;
 using testing::DoubleNear;
 using testing::ElementsAre;
 

@@ -6,7 +6,7 @@
 
 #include "libmpm/result.hpp"
 
-namespace app::reproduce {
+namespace app {
 
 struct Curve {
   std::vector<double> x;  ///< rising
@@ -43,4 +43,4 @@ struct CurveBand {
 /// Row of the history at the peak.   @pre a history.
 [[nodiscard]] std::size_t peak_row(const mpm::Result& result);
 
-}  // namespace app::reproduce
+}  // namespace app

@@ -1,15 +1,15 @@
-#include "apps/reproduce/curve.hpp"
+#include "apps/curve.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/apps/reproduce/fake_results.hpp"
+#include "tests/apps/triangle.hpp"
 
 namespace {
 
-using namespace app::reproduce;
+using namespace app;
 using testing::DoubleNear;
 using testing::ElementsAre;
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace app::reproduce {
+namespace app {
 
 /// Of finite values; NaN where there are none.
 struct Spread {
@@ -24,4 +24,4 @@ struct Spread {
 /// Share of the values in [low, high] [-]; NaN for no value.
 [[nodiscard]] double share_within(const std::vector<double>& values, double low, double high);
 
-}  // namespace app::reproduce
+}  // namespace app

@@ -1,9 +1,9 @@
-#include "apps/reproduce/weibull_fit.hpp"
+#include "apps/weibull_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace app::reproduce {
+namespace app {
 
 double weibull_distribution(double x, double scale, double modulus) {
   return -std::expm1(-std::pow(x / scale, modulus));
@@ -37,4 +37,4 @@ std::vector<double> histogram(const std::vector<double>& values, double end, int
   return density;
 }
 
-}  // namespace app::reproduce
+}  // namespace app

@@ -1,4 +1,4 @@
-#include "apps/reproduce/statistics.hpp"
+#include "apps/statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace app::reproduce;
+using namespace app;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace app::reproduce {
+namespace app {
 
 /// Share of points that are weaker than x [-], and its derivative; x and scale in one unit, x >= 0.
 [[nodiscard]] double weibull_distribution(double x, double scale, double modulus);
@@ -22,4 +22,4 @@ namespace app::reproduce {
 /// Density of values in equal bins from 0 to end; values beyond count in the whole but have no bin.
 [[nodiscard]] std::vector<double> histogram(const std::vector<double>& values, double end, int bins);
 
-}  // namespace app::reproduce
+}  // namespace app
