@@ -23,12 +23,15 @@ std::string command_of(const std::vector<std::string>& words) {
   return text;
 }
 
-// wait returns early when a signal is passed on, and is then called again.
-constexpr const char* running = R"(&
-mesopix=$!
-pass_on() { signalled=1; kill -"$1" "$mesopix" 2>/dev/null; }
+constexpr const char* before = R"(again='' signalled=1 code=0 mesopix=''
+pass_on() { signalled=1; [ -n "$mesopix" ] && kill -"$1" "$mesopix" 2>/dev/null; }
 trap 'again=1; pass_on USR1' USR1
 trap 'pass_on TERM' TERM INT
+)";
+
+// wait returns early when a signal is passed on, and is then called again.
+constexpr const char* after = R"( &
+mesopix=$!
 while [ -n "$signalled" ]; do
   signalled=''
   wait "$mesopix"
@@ -69,8 +72,8 @@ std::string slurm_script(const SlurmJob& job) {
   text += fmt::format("first=$((SLURM_ARRAY_TASK_ID * {}))\n", job.chunk);
   text += fmt::format("beyond=$((first + {} < {} ? first + {} : {}))\n", job.chunk, job.members, job.chunk,
                       job.members);
-  text += "again='' signalled=1 code=0\n";
-  text += command_of(job.study) + fmt::format(" --members \"$first:$beyond\" --jobs {} ", job.cpus) + running;
+  text += before + command_of(job.study) + fmt::format(" --members \"$first:$beyond\" --jobs {}", job.cpus) +
+          after;
   return text;
 }
 
