@@ -23,8 +23,8 @@ std::string command_of(const std::vector<std::string>& words) {
   return text;
 }
 
-constexpr const char* before = R"(again='' signalled=1 code=0 mesopix=''
-pass_on() { signalled=1; [ -n "$mesopix" ] && kill -"$1" "$mesopix" 2>/dev/null; }
+constexpr const char* before = R"(again='' signal='' signalled=1 code=0 mesopix=''
+pass_on() { signalled=1 signal=$1; [ -n "$mesopix" ] && kill -"$signal" "$mesopix" 2>/dev/null; }
 trap 'again=1; pass_on USR1' USR1
 trap 'pass_on TERM' TERM INT
 )";
@@ -32,6 +32,7 @@ trap 'pass_on TERM' TERM INT
 // wait returns early when a signal is passed on, and is then called again.
 constexpr const char* after = R"( &
 mesopix=$!
+[ -n "$signal" ] && pass_on "$signal"  # that came before there was anyone to pass it on to
 while [ -n "$signalled" ]; do
   signalled=''
   wait "$mesopix"
