@@ -14,6 +14,7 @@
 #include "apps/plot_command.hpp"
 #include "apps/report_command.hpp"
 #include "apps/simulate_command.hpp"
+#include "apps/study_command.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/version.hpp"
 #include "libmpm/error.hpp"
@@ -42,6 +43,7 @@ class Program {
     add<GenerateCommand>();
     add<ConvertCommand>();
     add<SimulateCommand>();
+    add<StudyCommand>();
     add<CalibrateCommand>();
     add<InspectCommand>();
     add<ReportCommand>();

@@ -43,6 +43,15 @@ TEST(Curve, BandHoldsMeanAndEnds) {
   EXPECT_TRUE(std::isnan(band.high[2]));
 }
 
+TEST(Curve, BandMayLeaveOutTheEnds) {
+  std::vector<Curve> curves;
+  for (int i = 0; i <= 10; ++i) curves.push_back({{0, 1}, {0, 10.0 * i}});
+  const CurveBand band = band_of(curves, {1}, 0.1);
+  EXPECT_DOUBLE_EQ(band.low[0], 10);
+  EXPECT_DOUBLE_EQ(band.high[0], 90);
+  EXPECT_DOUBLE_EQ(band.mean[0], 50);
+}
+
 TEST(Curve, DistanceIsTheMeanAmount) {
   CurveBand band;
   band.x = {0, 1, 2};

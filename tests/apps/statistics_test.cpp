@@ -39,4 +39,16 @@ TEST(Statistics, ShareWithinIncludesTheEnds) {
   EXPECT_TRUE(std::isnan(share_within({}, 0, 1)));
 }
 
+TEST(Statistics, EqualValuesShareTheirRank) {
+  EXPECT_NEAR(rank_correlation({1, 1, 2, 2}, {3, 4, 5, 6}), std::sqrt(0.8), 1e-12);  // by hand
+}
+
+TEST(Statistics, QuantilesLieBetweenValues) {
+  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 0), 1);
+  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 1), 4);
+  EXPECT_DOUBLE_EQ(quantile_of({0, 10}, 0.1), 1);
+  EXPECT_TRUE(std::isnan(quantile_of({}, 0.5)));
+}
+
 }  // namespace

@@ -1,0 +1,229 @@
+#include "apps/study_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "apps/interrupt.hpp"
+#include "apps/job_pool.hpp"
+#include "apps/output/text.hpp"
+#include "apps/read_option.hpp"
+#include "apps/shell_word.hpp"
+#include "apps/study_file.hpp"
+#include "apps/study_growth.hpp"
+#include "apps/study_line.hpp"
+#include "apps/study_report.hpp"
+#include "apps/study_table.hpp"
+#include "apps/text_parts.hpp"
+#include "libmpm/replace_file.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer =
+    "STUDY.toml says which scene is run, and what of it varies:\n"
+    "  title = \"Strength of the mortar\"\n"
+    "  scene = \"concrete_tension.toml\"     # relative to the study file\n"
+    "  seeds = 20                          # each point with 20 seeds, from 1 on; or a list [1, 5, 9]\n"
+    "  seed_of = [\"generate\", \"damage\"]    # tables whose seed varies: both by default, so that each "
+    "member\n"
+    "                                      # is another specimen of the same kind\n"
+    "  sampling = \"sobol\"                  # grid (the default), latin_hypercube or sobol\n"
+    "  samples = 64                        # points, of all but a grid\n"
+    "  [vary]                              # keys of the scene; several with + take one value\n"
+    "  \"phases.mortar.tensile_scale\" = {low = \"10 MPa\", high = \"20 MPa\"}           # a range, sampled\n"
+    "  \"loading.velocity\" = {from = \"0.02 m/s\", to = \"0.1 m/s\", steps = 5}         # equal steps\n"
+    "  \"generate.width + generate.height\" = [\"75 mm\", \"150 mm\"]                    # a list\n"
+    "Members run one on each core, each on one thread; memory is taken by those that run, some 100 MB each "
+    "for a\nmillion points, and by 200 points of the curve of every member. The folder keeps every member by "
+    "what it\ndepends on: the same command goes on where it stopped, and a study may grow by seeds, levels "
+    "and samples\n(a Latin hypercube cannot). It gets table.csv, table.h5 and report.html. Frames are not "
+    "written.\n"
+    "Example: a hundred specimens, or as many as tell the mean strength to 2 %\n"
+    "  mesopix study data/tension_study.toml\n"
+    "  mesopix study data/tension_study.toml --until-ci \"2 %\"";
+
+constexpr std::size_t most_reasons = 5;
+
+/// Each of the first failed members with its reason, and where the others are told.
+/// @throws Rejected when any has failed.
+void refuse_failures(const Study& study, const StudyFolder& folder, const std::vector<Member>& members) {
+  std::vector<Complaint> complaints;
+  std::size_t failed = 0;
+  for (const Member& member : members) {
+    if (folder.has_result(member) || !folder.has_failed(member)) continue;
+    if (++failed <= most_reasons)
+      complaints.push_back(complaint(name_of(study, member), folder.failure(member), ""));
+  }
+  if (failed == 0) return;
+  complaints.push_back(complaint("study", fmt::format("{} of {} members failed", failed, members.size()),
+                                 "all reasons are in " + (folder.path() / "failures").string(),
+                                 "--retry runs them again"));
+  throw Rejected(Exit::data, std::move(complaints));
+}
+
+void write_tables(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
+                  const StudyResults& results) {
+  const std::vector<mpm::TableColumn> table = study_table(study, members, results);
+  mpm::replace_file(folder.file("table.csv").string(), table_csv(table));
+  mpm::write_table(folder.file("table.h5").string(), table);
+  mpm::replace_file(folder.file("timing.csv").string(), table_csv(timing_table(members, results)));
+}
+
+void say_means(const Study& study, const StudyResults& results, Console& console) {
+  if (!study.plan.parameters.empty()) return;
+  const MeanEstimate stress = mean_estimate(results.peak_stress());
+  if (stress.count < 2) return;
+  console.say(fmt::format("mean peak {:.4g} MPa, 95 % confidence interval \u00b1{}, standard deviation {}",
+                          1e-6 * stress.mean, output::percent(stress.relative_half_width(), 2),
+                          output::percent(stress.deviation / stress.mean, 1)));
+}
+
+}  // namespace
+
+StudyCommand::StudyCommand(CLI::App& program)
+    : Command(program, "study", "Run a scene many times, with other seeds and values", footer) {
+  options().add_option("STUDY", input_, "study.toml, see below")->type_name("");
+  options().add_option("-o,--output", output_, "folder [runs/STUDY]")->type_name("DIR");
+  options().add_option("--jobs", jobs_, "members at a time [one a core]")->type_name("N");
+  options()
+      .add_option(
+          "--until-ci", until_ci_,
+          "more seeds until the 95 % confidence interval of the mean peak stress is within this share "
+          "of it, e.g. \"2 %\"")
+      ->type_name("RATIO");
+  options()
+      .add_option("--members", members_,
+                  "only those from number I to before J, and no table: for several machines")
+      ->type_name("I:J");
+  options().add_flag("--retry", retry_, "run members again that have failed before");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+void StudyCommand::check_options() const {
+  if (input_.empty())
+    throw Rejected(Exit::usage, complaint("STUDY", "missing", "", "mesopix study STUDY.toml"));
+  if (kind_of_input(input_) != InputKind::scene)
+    throw Rejected(Exit::usage, complaint("STUDY", input_, "must be a study, study.toml",
+                                          "mesopix study --help shows what stands in it"));
+  if (!until_ci_.empty() && !members_.empty())
+    throw Rejected(Exit::usage, complaint("--until-ci", "given with --members", "", "give one of the two"));
+}
+
+int StudyCommand::workers() const {
+  return jobs_.empty() ? core_count() : read_option("--jobs", jobs_, Integer<>{{between(1, 1024), {}}});
+}
+
+StudyFolder StudyCommand::folder() const {
+  return StudyFolder(output_.empty() ? fs::path("runs") / fs::path(input_).stem() : fs::path(output_));
+}
+
+/// That goes on with the study.
+std::string StudyCommand::command() const {
+  std::string text = "mesopix study " + shell_word(input_);
+  if (!output_.empty()) text += " -o " + shell_word(output_);
+  if (!members_.empty()) text += " --members " + members_;
+  if (!until_ci_.empty()) text += " --until-ci " + shell_word(until_ci_);
+  if (!jobs_.empty()) text += " --jobs " + jobs_;
+  return text;
+}
+
+/// Those of --members.
+std::vector<Member> StudyCommand::wanted(const std::vector<Member>& members) const {
+  const std::size_t colon = members_.find(':');
+  const auto number = [&](std::string_view text) { return whole_number(trimmed(text)); };
+  const auto from = number(std::string_view(members_).substr(0, colon));
+  const auto to =
+      colon == std::string::npos ? std::nullopt : number(std::string_view(members_).substr(colon + 1));
+  const auto count = static_cast<std::int64_t>(members.size());
+  if (!from || !to || *from < 0 || *from >= *to || *to > count)
+    throw Rejected(Exit::usage,
+                   complaint("--members", members_,
+                             fmt::format("must be I:J with 0 <= I < J <= {}, the number of members", count)));
+  return {members.begin() + *from, members.begin() + *to};
+}
+
+StudyTally StudyCommand::work(const Study& study, const std::vector<Member>& members,
+                              const InterruptGuard& guard, Console& console) const {
+  StudyLine line(console);
+  return run_members(
+      study, folder(), members, workers(),
+      {[&](const StudyTally& tally) { line.show(tally); }, [&] { return !guard.interrupted(); }});
+}
+
+Exit StudyCommand::say_interrupted(const StudyTally& tally, Console& console) const {
+  console.say(fmt::format("interrupted; {} of {} members are done or have failed, and are kept",
+                          tally.all - tally.open(), tally.all));
+  console.say("to go on: " + command());
+  return Exit::interrupted;
+}
+
+Exit StudyCommand::run_part(const Study& study, const std::vector<Member>& members, Console& console) const {
+  const InterruptGuard guard;
+  const StudyTally tally = work(study, members, guard, console);
+  if (tally.open() > 0) return say_interrupted(tally, console);
+  console.say(fmt::format("{} members, of which {} were there before", tally.all, tally.before));
+  refuse_failures(study, folder(), members);
+  return Exit::ok;
+}
+
+/// Runs the study, and as many seeds more as --until-ci asks for.
+Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& console) const {
+  const double share = until_ci_.empty() ? 0 : until_ci();
+  const InterruptGuard guard;
+  for (;;) {
+    const StudyTally tally = work(study, members, guard, console);
+    if (tally.open() > 0) return say_interrupted(tally, console);
+    const StudyResults results = read_results(folder(), members);
+    const std::size_t seeds = study.plan.seeds.size();
+    const std::size_t wanted =
+        share > 0 ? seeds_to_go_on_with(peak_estimates(members, results), seeds, share) : seeds;
+    if (wanted == seeds) {
+      finish(study, members, results, share, console);
+      return Exit::ok;
+    }
+    study.plan.seeds = grown_seeds(study.plan.seeds, wanted);
+    members = list_members(study);
+  }
+}
+
+/// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
+void StudyCommand::finish(const Study& study, const std::vector<Member>& members, const StudyResults& results,
+                          double share, Console& console) const {
+  write_tables(folder(), study, members, results);
+  write_study_report(folder(), study, members, results);
+  say_means(study, results, console);
+  console.say("wrote " + folder().path().string());
+  refuse_failures(study, folder(), members);
+  const double width = largest_half_width(peak_estimates(members, results));
+  if (share > 0 && !(width <= share))
+    throw Rejected(Exit::data, complaint("--until-ci", until_ci_,
+                                         fmt::format("not met with {} seeds", study.plan.seeds.size()),
+                                         "choose a larger share"));
+}
+
+double StudyCommand::until_ci() const {
+  return read_option("--until-ci", until_ci_, Quantity{Dimension::ratio, inside(0, 1), {}});
+}
+
+Exit StudyCommand::run(Console& console) {
+  console.quiet = quiet_;
+  check_options();
+  (void)workers();
+  if (!until_ci_.empty()) (void)until_ci();
+  const Study study = read_study(input_);
+  if (!until_ci_.empty() && study.plan.seeds.empty())
+    throw Rejected(Exit::usage, complaint("--until-ci", until_ci_, "needs a study with seeds",
+                                          "write seeds = 10 into " + input_));
+  const std::vector<Member> all = list_members(study);
+  const std::vector<Member> members = members_.empty() ? all : wanted(all);
+  check_scenes(study, members);
+  folder().open(study, all, input_);
+  if (retry_)
+    for (const Member& member : members) folder().forget_failure(member);
+  return members_.empty() ? run_whole(study, members, console) : run_part(study, members, console);
+}
+
+}  // namespace app

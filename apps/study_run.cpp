@@ -1,0 +1,126 @@
+#include "apps/study_run.hpp"
+
+#include <fmt/format.h>
+
+#include <mutex>
+#include <new>
+
+#include "apps/job_pool.hpp"
+#include "apps/scene_builder.hpp"
+#include "apps/specimen_source.hpp"
+#include "apps/study_specimens.hpp"
+#include "libmpm/error.hpp"
+#include "libmpm/result_file.hpp"
+#include "libmpm/simulate.hpp"
+#include "specimen/error.hpp"
+
+namespace app {
+namespace {
+
+std::string reason_of(const Rejected& rejected) { return text(rejected.complaints.front()); }
+
+/// What members run with, and what comes of it.
+class Runner {
+ public:
+  Runner(const Study& study, const StudyFolder& folder, int workers, const StudyWatch& watch)
+      : study_(study), folder_(folder), watch_(watch), specimens_(static_cast<std::size_t>(workers) + 1) {}
+
+  StudyTally run(const std::vector<Member>& members, int workers) {
+    std::vector<std::function<void()>> jobs;
+    for (const Member& member : members)
+      if (!folder_.has_result(member) && !folder_.has_failed(member))
+        jobs.emplace_back([this, &member] { run(member); });
+    tally_.all = members.size();
+    tally_.before = members.size() - jobs.size();
+    run_jobs(jobs, workers, {{}, watch_.go_on});
+    return tally_;
+  }
+
+ private:
+  bool goes_on() const { return !watch_.go_on || watch_.go_on(); }
+
+  /// Only a failing disk, and a mistake of ours, ends the study.
+  void run(const Member& member) {
+    std::string reason;
+    try {
+      if (solve(member)) count(true);
+      return;
+    } catch (const mpm::FileError&) {
+      throw;
+    } catch (const mpm::Error& error) {
+      reason = error.what();
+    } catch (const mpm::Diverged& diverged) {
+      reason = diverged.what();
+    } catch (const specimen::Error& error) {
+      if (error.fault == specimen::Fault::write) throw;
+      reason = error.what();
+    } catch (const Rejected& rejected) {
+      if (rejected.code == Exit::io) throw;
+      reason = reason_of(rejected);
+    } catch (const std::bad_alloc&) {
+      reason = "memory: not enough; use fewer, larger pixels, or --jobs 1";
+    }
+    folder_.write_failure(study_, member, reason);
+    count(false);
+  }
+
+  /// @return whether the run came to its end.
+  bool solve(const Member& member) {
+    const Settings settings = member_settings(study_, member);
+    const mpm::Scene scene = build_scene(*specimens_.of(settings), settings);
+    const mpm::Result result =
+        mpm::simulate(scene, {.observer = [this](const mpm::Progress&) { return goes_on(); }});
+    if (result.stop == mpm::StopReason::interrupted) return false;
+    const std::scoped_lock lock(hdf5_mutex());
+    mpm::write_result(folder_.result_file(member).string(), result, member_scene(settings));
+    return true;
+  }
+
+  void count(bool done) {
+    const std::scoped_lock lock(mutex_);
+    ++(done ? tally_.done : tally_.failed);
+    if (watch_.looked) watch_.looked(tally_);
+  }
+
+  const Study& study_;
+  const StudyFolder& folder_;
+  const StudyWatch& watch_;
+  SpecimenStore specimens_;
+  std::mutex mutex_;
+  StudyTally tally_;
+};
+
+void check_scene(const Study& study, const Member& member, const specimen::Specimen& uncut) {
+  const Settings settings = member_settings(study, member);
+  specimen::Specimen specimen = uncut;
+  (void)crop_to_cells(specimen, settings.scene.points_per_cell);
+  mpm::validate(build_scene(specimen, settings));
+}
+
+}  // namespace
+
+void check_scenes(const Study& study, const std::vector<Member>& members) {
+  if (members.empty()) return;
+  specimen::Specimen specimen;
+  try {
+    specimen = prepare_specimen(member_settings(study, members.front())).specimen;
+  } catch (const specimen::Error&) {
+    return;
+  }
+  for (const Member& member : members) {
+    try {
+      check_scene(study, member, specimen);
+    } catch (const Rejected& rejected) {
+      refuse_member(study, member, rejected.complaints);
+    } catch (const mpm::Error& error) {
+      refuse_member(study, member, {complaint(error.field, error.value, error.allowed, error.cure)});
+    }
+  }
+}
+
+StudyTally run_members(const Study& study, const StudyFolder& folder, const std::vector<Member>& members,
+                       int workers, const StudyWatch& watch) {
+  return Runner(study, folder, workers, watch).run(members, workers);
+}
+
+}  // namespace app

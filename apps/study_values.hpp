@@ -1,0 +1,45 @@
+/// The values that a parameter of a study takes.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/study.hpp"
+
+namespace app {
+
+/// Keys of the scene in "generate.width + generate.height".
+[[nodiscard]] std::vector<std::string> keys_of(const std::string& name);
+
+/// Whether a key is one of those that say how values spread: from, to, steps, low, high.
+[[nodiscard]] bool is_spread_key(std::string_view key);
+
+/// Read a list [1, 2, 3], equal steps {from, to, steps} or a range {low, high} into the parameter, whose
+/// fields are known, and try each value on all of them.
+/// @param folder  that paths are relative to.   @throws Mistake.
+void read_values(const toml::node& node, const std::string& folder, StudyParameter& parameter);
+
+/// Value of the parameter at a place u in [0, 1): levels share the places evenly, a range goes in proportion,
+/// to five digits.
+[[nodiscard]] Value value_at_place(const StudyParameter& parameter, double u);
+
+/// A value as a number in SI units, where it is one.   @return NaN for words.
+[[nodiscard]] double number_of(const StudyParameter& parameter, const Value& value);
+
+/// Whether each value of the parameter is a number.
+[[nodiscard]] bool is_number(const StudyParameter& parameter);
+
+/// A unit that people read, and how much of it an SI unit is.
+struct ReadableUnit {
+  std::string name;  ///< "MPa"; empty for numbers without a unit
+  double per_si = 1;
+};
+[[nodiscard]] ReadableUnit readable_unit(const StudyParameter& parameter);
+
+/// "Pa"; "1" for numbers without a unit.
+[[nodiscard]] std::string unit_of(const StudyParameter& parameter);
+
+}  // namespace app
