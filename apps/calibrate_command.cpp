@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "apps/attempts.hpp"
 #include "apps/calibration_json.hpp"
 #include "apps/calibration_report.hpp"
 #include "apps/calibration_words.hpp"
@@ -72,14 +73,18 @@ Calibration fit(const CalibrationTask& task, Console& console) {
       [&](const Calibration& so_far) { line.show(evaluation_text(task, so_far)); });
 }
 
-void write_calibration(const fs::path& folder, const CalibrationTask& task, const Calibration& calibration) {
+/// Every file is tried, whatever became of the others.   @return what the disk did not take.
+Attempts write_calibration(const fs::path& folder, const CalibrationTask& task,
+                           const Calibration& calibration) {
   const std::string toml = scene_text(calibration.settings, Extent::whole, folder);
+  Attempts attempt;
   const auto write = [&](const char* name, const std::string& text) {
-    mpm::replace_file((folder / name).string(), text);
+    attempt([&] { mpm::replace_file((folder / name).string(), text); });
   };
   write("scene.toml", toml);
   write("calibration.json", calibration_json(task, calibration).dump(2) + "\n");
   write("report.html", calibration_html(task, calibration, "Calibration: " + task.settings.title, toml));
+  return attempt;
 }
 
 /// @throws Rejected when the target was not met.
@@ -187,9 +192,10 @@ Exit CalibrateCommand::run(Console& console) {
     console.say("interrupted before anything was found");
     return Exit::interrupted;
   }
-  write_calibration(folder.path(), task, calibration);
+  const Attempts written = write_calibration(folder.path(), task, calibration);
   for (const std::string& line : outcome_lines(task, calibration)) console.say(line);
   if (json_) console.out << calibration_json(task, calibration).dump(2) << '\n';
+  written.conclude();
   console.say("wrote " + folder.path().string());
   return exit_of(task, calibration, folder.path(), console);
 }

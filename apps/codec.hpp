@@ -129,6 +129,7 @@ struct Choice {
       if (choice == word) return enumerator;
     throw Mistake("must be one of the choices");  // not reached: name() has accepted the word
   }
+  // cppcheck-suppress passedByValue ; an enumeration
   [[nodiscard]] Value write(E wanted) const {
     for (const auto& [choice, enumerator] : choices)
       if (enumerator == wanted) return {choice};

@@ -99,7 +99,7 @@ class Formatter : public CLI::Formatter {
 
   std::string make_subcommand(const CLI::App* command) const override {
     std::string first = command->get_description();
-    first = first.substr(0, first.find('\n'));
+    first.resize(std::min(first.size(), first.find('\n')));
     std::ostringstream out;
     CLI::detail::format_help(out, command->get_name(), first, 14);
     return out.str();

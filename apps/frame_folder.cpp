@@ -1,7 +1,11 @@
 #include "apps/frame_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -25,6 +29,13 @@ void remove_file(const fs::path& path) {
   if (error)
     throw mpm::FileError(path.string(), "of an earlier run cannot be removed: " + error.message(), "",
                          "choose another folder");
+}
+
+/// Empty where there is no such file.
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  if (std::ifstream file(path, std::ios::binary); file) text << file.rdbuf();
+  return text.str();
 }
 
 /// What is not a frame stays, and with it the folder.   @param kept  names of frames that stay.
@@ -52,16 +63,9 @@ std::vector<fs::path> frames_of(const fs::path& run) {
 
 FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vector<mpm::FrameTaken>& taken)
     : run_(std::move(run)), scene_(scene) {
-  std::set<std::string> kept;
-  for (const mpm::FrameTaken& frame : taken) {
-    const std::string name = add_to_lists(frame.time, frame.points);
-    if (const fs::path path = run_ / folder_name / name; !fs::exists(path))
-      throw mpm::FileError(path.string(), "of the run that is to go on is missing", "",
-                           "bring it back, or begin the run anew");
-    kept.insert(name);
-  }
+  const std::set<std::string> kept = take_over(taken);
   remove_frames(run_, kept);
-  if (!taken.empty()) {
+  if (!kept.empty()) {
     write_lists();
   } else {
     remove_file(run_ / series_name);
@@ -69,25 +73,61 @@ FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vecto
   }
 }
 
-void FrameFolder::add(const mpm::Frame& frame) {
+/// What the list of the earlier part does not name is a frame that the disk did not take then.
+std::set<std::string> FrameFolder::take_over(const std::vector<mpm::FrameTaken>& taken) {
+  const std::string list = text_of(run_ / series_name);
+  std::set<std::string> kept;
+  for (const mpm::FrameTaken& frame : taken) {
+    const std::string name = output::frame_name(added_);
+    const fs::path path = run_ / folder_name / name;
+    if (fs::exists(path)) {
+      add_to_lists(added_, frame.time, frame.points);
+      ++written_;
+      kept.insert(name);
+    } else if (list.find(name) != std::string::npos) {
+      throw mpm::FileError(path.string(), "of the run that is to go on is missing", "",
+                           "bring it back, or begin the run anew");
+    } else if (!failure_) {
+      failure_ = mpm::FileError(path.string(), "was not written before the run went on", "");
+    }
+    ++added_;
+  }
+  return kept;
+}
+
+bool FrameFolder::add(const mpm::Frame& frame) {
+  try {
+    write(frame, added_++);
+    return true;
+  } catch (const mpm::FileError& error) {
+    if (!failure_) failure_ = error;
+    return false;
+  }
+}
+
+std::optional<mpm::FileError> FrameFolder::failure() const {
+  if (!failure_ || written_ == added_) return failure_;
+  return mpm::FileError(failure_->field, failure_->value, failure_->cure,
+                        fmt::format("{} of {} frames are missing", added_ - written_, added_));
+}
+
+void FrameFolder::write(const mpm::Frame& frame, std::int64_t number) {
   const fs::path folder = run_ / folder_name;
   std::error_code error;
   fs::create_directory(folder, error);
   if (error)
     throw mpm::FileError(folder.string(), "cannot be created: " + error.message(), "",
                          "choose a folder that may be written to");
-  mpm::write_frame((folder / output::frame_name(count_)).string(), frame, scene_);
-  (void)add_to_lists(frame.time, static_cast<std::int64_t>(frame.points.size()));
+  mpm::write_frame((folder / output::frame_name(number)).string(), frame, scene_);
+  ++written_;
+  add_to_lists(number, frame.time, static_cast<std::int64_t>(frame.points.size()));
   write_lists();
 }
 
-/// @return the name of the frame.
-std::string FrameFolder::add_to_lists(double time, std::int64_t points) {
-  const std::string name = output::frame_name(count_++);
-  const output::FrameEntry entry{std::string(folder_name) + "/" + name, time, points};
+void FrameFolder::add_to_lists(std::int64_t number, double time, std::int64_t points) {
+  const output::FrameEntry entry{std::string(folder_name) + "/" + output::frame_name(number), time, points};
   list_.add(entry);
   xdmf_.add(entry);
-  return name;
 }
 
 void FrameFolder::write_lists() const {

@@ -3,7 +3,8 @@
 
 namespace app {
 
-/// While it lives, SIGINT and SIGTERM are only noted; a second SIGINT ends the program at once.
+/// While it lives, SIGINT and SIGTERM are only noted; a second SIGINT ends the program at once. Nor does the
+/// program end because nobody reads any more what it says.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -12,6 +13,9 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
   [[nodiscard]] bool interrupted() const;
+
+ private:
+  void (*pipe_before_)(int);
 };
 
 }  // namespace app

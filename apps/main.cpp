@@ -1,5 +1,7 @@
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -10,7 +12,21 @@
 #include "apps/evidence_commands.hpp"
 #endif
 
+namespace {
+
+/// The number of a stream that is closed would go to the next file, which would then hold what is printed. In
+/// its place stands one that cannot be written.
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0)
+      (void)open("/dev/null", O_RDONLY);  // takes the lowest number that is free
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  fill_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size is an error as any other
   app::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) != 0, false, {}};
   const std::vector<std::string> arguments(argv + 1, argv + argc);
 #ifdef MESOPIX_EVIDENCE

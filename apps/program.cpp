@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 
+#include "apps/attempts.hpp"
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
@@ -29,8 +30,8 @@ constexpr const char* footer_text =
     "  mesopix simulate specimen.h5\n"
     "mesopix COMMAND --help tells more.\n"
     "Exit codes: 0 done, 64 wrong usage, 65 wrong data or physics, 70 a bug of ours, 74 input or output "
-    "failed,\n"
-    "75 interrupted with what was computed kept.";
+    "failed\n"
+    "(what the disk took is kept, and the rest named), 75 interrupted with what was computed kept.";
 
 /// The program and its subcommands.
 class Program {
@@ -136,6 +137,10 @@ Exit run_program(const std::vector<std::string>& arguments, Console& console, co
   } catch (const specimen::Error& error) {
     return refuse(console, error.fault == specimen::Fault::write ? Exit::io : Exit::data,
                   {complaint_of(error)});
+  } catch (const NotWritten& missing) {
+    std::vector<Complaint> complaints;
+    for (const mpm::FileError& file : missing.files) complaints.push_back(complaint_of(file));
+    return refuse(console, Exit::io, complaints);
   } catch (const mpm::FileError& error) {
     return refuse(console, Exit::io, {complaint_of(error)});
   } catch (const mpm::Error& error) {

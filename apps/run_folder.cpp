@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "apps/attempts.hpp"
 #include "apps/output/chart_layout.hpp"
 #include "apps/output/curve_csv.hpp"
 #include "apps/output/damage_picture.hpp"
@@ -47,31 +48,36 @@ void remove_pictures(const fs::path& folder, const std::vector<int>& percents) {
     }
 }
 
-void write_damage(const fs::path& folder, const RunRecord& record) {
+void write_damage(const fs::path& folder, const RunRecord& record, Attempts& attempt) {
   const specimen::LabelledMask& mask = record.specimen.mask;
   const output::DamageStages stages = output::damage_stages(record.result);
   remove_pictures(folder, stages.missing);
   for (const bool colour : {false, true}) {
     const output::Palette palette = colour ? output::colour_palette() : output::grey_palette();
     for (const output::DamageStage& stage : stages.drawn)
-      write_picture(folder / output::picture_name(stage.percent, colour),
-                    output::damage_picture(mask, record.result, stage.strain, palette), mask.pixel_size);
+      attempt([&] {
+        write_picture(folder / output::picture_name(stage.percent, colour),
+                      output::damage_picture(mask, record.result, stage.strain, palette), mask.pixel_size);
+      });
   }
 }
 
 /// As fine as the other pictures are magnified.
-void write_end(const fs::path& folder, const RunRecord& record) {
+void write_end(const fs::path& folder, const RunRecord& record, Attempts& attempt) {
   const specimen::LabelledMask& mask = record.specimen.mask;
   const int fineness = output::file_magnification(mask.labels.rows, mask.labels.cols);
   for (const bool colour : {false, true}) {
     const fs::path path = folder / output::deformed_name(colour);
     const output::Palette palette = colour ? output::colour_palette() : output::grey_palette();
     std::error_code ignored;  // there is nothing to remove in a new folder
-    if (output::has_end(record.result))
+    if (!output::has_end(record.result)) {
+      fs::remove(path, ignored);
+      continue;
+    }
+    attempt([&] {
       specimen::write_png(path.string(), output::deformed_picture(mask, record.result, palette, fineness),
                           mask.pixel_size / fineness);
-    else
-      fs::remove(path, ignored);
+    });
   }
 }
 
@@ -86,19 +92,27 @@ void remove_maps(const fs::path& folder) {
 }  // namespace
 
 void write_run(const fs::path& folder, const RunRecord& record) {
-  create_folder(folder);
+  Attempts attempt;
+  attempt([&] { create_folder(folder); });
+  attempt.conclude();
   remove_maps(folder);
-  mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml);
-  specimen::write_specimen((folder / "specimen.h5").string(), record.specimen);
-  write_text(folder / "curve.csv", output::curve_csv(record.result.history));
-  write_text(folder / "summary.json",
-             summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  write_text(folder / "scene.toml", record.scene_toml);
-  write_text(folder / "curve.png",
-             output::png_of(output::lay_out(output::stress_chart(record), 608, 368), 2.5, 16));
-  write_picture(folder / "specimen.png", specimen::preview(record.specimen.mask),
-                record.specimen.mask.pixel_size);
-  write_damage(folder, record);
-  write_end(folder, record);
-  write_text(folder / "report.html", output::report_html(record));
+  const auto text = [&](const char* name, const auto& made) {
+    attempt([&] { write_text(folder / name, made()); });
+  };
+  attempt([&] { mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml); });
+  text("curve.csv", [&] { return output::curve_csv(record.result.history); });
+  text("summary.json",
+       [&] { return summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; });
+  text("scene.toml", [&] { return record.scene_toml; });
+  attempt([&] { specimen::write_specimen((folder / "specimen.h5").string(), record.specimen); });
+  text("report.html", [&] { return output::report_html(record); });
+  text("curve.png",
+       [&] { return output::png_of(output::lay_out(output::stress_chart(record), 608, 368), 2.5, 16); });
+  attempt([&] {
+    write_picture(folder / "specimen.png", specimen::preview(record.specimen.mask),
+                  record.specimen.mask.pixel_size);
+  });
+  write_damage(folder, record, attempt);
+  write_end(folder, record, attempt);
+  attempt.conclude();
 }

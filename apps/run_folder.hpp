@@ -41,8 +41,9 @@ struct RunRecord {
 /// A damage picture beyond the strain that the run reached is left out, and report and summary say so.
 /// Every file is written to a temporary name beside it, then renamed: no half-written file carries a final
 /// name. Files of an earlier run of the same names are replaced; pictures that this run has not are removed,
-/// and so are maps that mesopix export has made of that run.
-/// @throws specimen::Error (Fault::write) or mpm::FileError when the disk fails, naming the file.
+/// and so are maps that mesopix export has made of that run. What cannot be made again from the rest comes
+/// first, and every file is tried, whatever became of the others.
+/// @throws NotWritten (apps/attempts.hpp) with the files that are missing, when the disk fails.
 void write_run(const std::filesystem::path& folder, const RunRecord& record);
 
 /// Key figures of a run in SI units, as summary.json holds them; figures that are not finite are null in

@@ -4,7 +4,10 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "apps/attempts.hpp"
 #include "apps/checkpoint_folder.hpp"
 #include "apps/energy_note.hpp"
 #include "apps/frame_folder.hpp"
@@ -122,22 +125,63 @@ void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   }
 }
 
-/// How a run ended, for those who watched it.
-std::string last_words(const Outcome& outcome, const std::filesystem::path& folder) {
-  const std::string how =
-      outcome.divergence.empty() ? output::phrase_of(outcome.result.stop) : outcome.divergence;
-  return "The run has ended: " + how + ". Its report is " + (folder / "report.html").string();
+/// A disk that is full ends no run: it may have space again for the next frame, and for what comes of it all.
+mpm::FrameSink frame_sink(FrameFolder& frames, Console& console) {
+  return [&frames, &console, warned = false](const mpm::Frame& frame) mutable {
+    if (frames.add(frame) || warned) return;
+    warned = true;
+    console.say(std::string(console.err_is_terminal ? "\n" : "") + "warning: " + frames.failure()->what() +
+                "; the run goes on");
+  };
 }
 
-/// @throws Rejected when the physics went wrong.
-Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, Console& console) {
+/// What the disk did not take of the files that write_run() writes.
+using Lost = std::vector<mpm::FileError>;
+
+Lost write_what_fits(const std::filesystem::path& folder, const RunRecord& record) {
+  try {
+    write_run(folder, record);
+  } catch (const NotWritten& missing) {
+    return missing.files;
+  }
+  return {};
+}
+
+/// How a run ended, for those who watched it.
+std::string last_words(const Outcome& outcome, const std::filesystem::path& folder, const Lost& lost) {
+  const std::string how =
+      outcome.divergence.empty() ? output::phrase_of(outcome.result.stop) : outcome.divergence;
+  return "The run has ended: " + how + ". " +
+         (lost.empty() ? "Its report is " + (folder / "report.html").string() : lost.front().what());
+}
+
+std::string way_on(const RunTask& task) {
+  return "to go on: mesopix simulate --resume " + shell_word(task.folder.string());
+}
+
+/// @throws Rejected when the disk did not take all.
+void check_disk(std::vector<Complaint> complaints, const Lost& lost, const FrameFolder& frames) {
+  Lost all = lost;
+  if (const auto failure = frames.failure()) all.insert(all.begin(), *failure);
+  if (all.empty()) return;
+  for (const mpm::FileError& file : all)
+    complaints.push_back(complaint(file.field, file.value, file.allowed, file.cure));
+  throw Rejected(Exit::io, std::move(complaints));
+}
+
+/// @throws Rejected when the physics went wrong, or the disk.
+Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, const Lost& lost,
+             const FrameFolder& frames, Console& console) {
+  std::vector<Complaint> diverged;
   if (!outcome.divergence.empty())
-    throw Rejected(Exit::data, complaint("simulate", outcome.divergence,
-                                         "what was computed is in " + task.folder.string()));
+    diverged.push_back(
+        complaint("simulate", outcome.divergence, "what was computed is in " + task.folder.string()));
+  if (!lost.empty() && keeper.has_kept()) console.say("once there is space, " + way_on(task));
+  check_disk(diverged, lost, frames);
+  if (!diverged.empty()) throw Rejected(Exit::data, std::move(diverged));
   if (!outcome.interrupted()) return Exit::ok;
   console.say("interrupted; what was computed is kept");
-  if (keeper.has_kept())
-    console.say("to go on: mesopix simulate --resume " + shell_word(task.folder.string()));
+  if (keeper.has_kept()) console.say(way_on(task));
   return Exit::interrupted;
 }
 
@@ -156,7 +200,7 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   FrameFolder frames(task.folder, job.scene, task.from ? task.from->frames : std::vector<mpm::FrameTaken>());
   mpm::RunHooks hooks;
   if (view) hooks.observer = [&](const mpm::Progress& progress) { return view->look(progress); };
-  hooks.frames = [&](const mpm::Frame& frame) { frames.add(frame); };
+  hooks.frames = frame_sink(frames, console);
   hooks.checkpoints = {[&](const mpm::Checkpoint& checkpoint) { keeper.keep(checkpoint); },
                        task.remarks.checkpoint_every};
   const Outcome outcome =
@@ -167,9 +211,9 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   note_outcome(outcome, job, console);
   const RunRecord record{job.specimen, job.scene,          outcome.result, task.scene_toml,
                          hash,         job.settings.title, job.notes,      estimate};
-  write_run(task.folder, record);
-  if (view) view->finish(outcome.result, last_words(outcome, task.folder));
-  if (!outcome.interrupted()) keeper.remove();
+  const Lost lost = write_what_fits(task.folder, record);
+  if (view) view->finish(outcome.result, last_words(outcome, task.folder, lost));
+  if (!outcome.interrupted() && lost.empty()) keeper.remove();
   if (task.json)
     console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   else
@@ -177,8 +221,8 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   if (!estimate.sources.empty()) console.say(estimate_text(estimate));
   if (frames.count() > 0)
     console.say(fmt::format("{} frames for ParaView: {}", frames.count(), frames.series().string()));
-  console.say("wrote " + task.folder.string());
-  return exit_of(outcome, task, keeper, console);
+  if (lost.empty()) console.say("wrote " + task.folder.string());
+  return exit_of(outcome, task, keeper, lost, frames, console);
 }
 
 }  // namespace app

@@ -61,7 +61,9 @@ class TemporaryFile {
 
   /// Some file systems report a full disk only here.
   void close() {
-    const int synced = ::fsync(descriptor_);
+    int synced = 0;
+    do synced = ::fsync(descriptor_);
+    while (synced != 0 && errno == EINTR);
     const int sync_error = errno;
     const int closed = ::close(std::exchange(descriptor_, -1));
     if (synced != 0 && sync_error != EINVAL && sync_error != EROFS) fail(path_, sync_error);

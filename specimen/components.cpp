@@ -48,8 +48,10 @@ Components pieces(const Raster<T>& values, Connectivity connectivity) {
       };
       look_at(r, c - 1);
       look_at(r - 1, c);
-      if (corners) look_at(r - 1, c - 1);
-      if (corners) look_at(r - 1, c + 1);
+      if (corners) {
+        look_at(r - 1, c - 1);
+        look_at(r - 1, c + 1);
+      }
       if (mine < 0) mine = sets.add();
     }
   std::vector<std::int32_t> number(sets.size(), -1);

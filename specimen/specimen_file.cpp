@@ -184,7 +184,8 @@ class MemoryFile {
     H5Pset_file_image_callbacks(access, &callbacks);
     const Handle creation(H5Pcreate(H5P_FILE_CREATE), "file");
     H5Pset_obj_track_times(creation, false);
-    file_ = Handle(H5Fcreate("specimen.h5", H5F_ACC_TRUNC, creation, access), "file");
+    // HDF5 first opens what has the name, so that there must never be such a file.
+    file_ = Handle(H5Fcreate("/dev/null/specimen", H5F_ACC_TRUNC, creation, access), "file");
   }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;

@@ -75,7 +75,8 @@ class Handle {
   Handle(hid_t id, const std::string& object) : id_(require(id, object)) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
   Handle& operator=(Handle&& other) noexcept {
-    Handle(std::move(other)).swap(*this);  // closes what it held
+    // cppcheck-suppress accessMoved ; the temporary that took it is swapped with, and closes what this held
+    Handle(std::move(other)).swap(*this);
     return *this;
   }
   ~Handle() {

@@ -95,6 +95,23 @@ TEST_F(FrameFolder, GoesOnBehindTheFramesThatWereTaken) {
   EXPECT_TRUE(fs::exists(run_ / "frames" / "p_000003.hdf")) << "nothing is removed in vain";
 }
 
+TEST_F(FrameFolder, GoesOnBehindAFrameThatTheDiskDidNotTake) {
+  {
+    app::FrameFolder folder(run_, scene_);
+    EXPECT_TRUE(folder.add(frame_at(0, 4)));
+    fs::create_directories(run_ / "frames" / "p_000001.hdf" / "in the way");
+    EXPECT_FALSE(folder.add(frame_at(1e-6, 3)));
+    fs::remove_all(run_ / "frames" / "p_000001.hdf");
+  }
+  app::FrameFolder folder(run_, scene_, {{0.0, 4}, {1e-6, 3}});
+  EXPECT_TRUE(folder.add(frame_at(2e-6, 2)));
+  EXPECT_TRUE(fs::exists(run_ / "frames" / "p_000002.hdf"));
+  EXPECT_EQ(folder.count(), 2);
+  ASSERT_TRUE(folder.failure());
+  EXPECT_EQ(folder.failure()->field, (run_ / "frames" / "p_000001.hdf").string());
+  EXPECT_THAT(folder.failure()->what(), testing::EndsWith("; 1 of 3 frames are missing"));
+}
+
 TEST_F(FrameFolder, IsGoneWhenTheNextRunHasNoFrames) {
   write(3);
   write(0);
@@ -112,7 +129,45 @@ TEST_F(FrameFolder, ListsTheFramesOfARunByTheirNumber) {
                                                          frames / "p_999999.hdf", frames / "p_1000000.hdf"));
 }
 
-TEST_F(FrameFolder, NamesWhatCannotBeMadeOrRemoved) {
+TEST_F(FrameFolder, LeavesOutWhatTheDiskDoesNotTakeAndGoesOn) {
+  app::FrameFolder folder(run_, scene_);
+  EXPECT_TRUE(folder.add(frame_at(0, 4)));
+  EXPECT_FALSE(folder.failure());
+  for (const char* name : {"p_000001.hdf", "p_000002.hdf"}) {
+    fs::create_directories(run_ / "frames" / name / "in the way");
+    EXPECT_FALSE(folder.add(frame_at(1e-6, 4)));
+  }
+  EXPECT_TRUE(folder.add(frame_at(2e-6, 4))) << "there is space again";
+  EXPECT_EQ(folder.count(), 2);
+  ASSERT_TRUE(folder.failure());
+  EXPECT_EQ(folder.failure()->field, (run_ / "frames" / "p_000001.hdf").string());
+  EXPECT_THAT(folder.failure()->what(), testing::HasSubstr("Is a directory"));
+  EXPECT_THAT(folder.failure()->what(), testing::EndsWith("; 2 of 4 frames are missing"));
+  const auto list = nlohmann::json::parse(test::read_text((run_ / "frames.hdf.series").string()))["files"];
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[1]["name"], "frames/p_000003.hdf");
+}
+
+TEST_F(FrameFolder, NamesTheListThatCannotBeWritten) {
+  app::FrameFolder folder(run_, scene_);
+  fs::create_directories(run_ / "frames.xdmf" / "in the way");
+  EXPECT_FALSE(folder.add(frame_at(0, 4)));
+  EXPECT_EQ(folder.count(), 1);
+  ASSERT_TRUE(folder.failure());
+  EXPECT_EQ(folder.failure()->field, (run_ / "frames.xdmf").string());
+  EXPECT_THAT(folder.failure()->what(), testing::Not(testing::HasSubstr("missing")));
+}
+
+TEST_F(FrameFolder, NamesAFolderThatCannotBeMade) {
+  test::write_text((run_ / "frames").string(), "a file");
+  app::FrameFolder folder(run_, scene_);
+  EXPECT_FALSE(folder.add(frame_at(0, 4)));
+  ASSERT_TRUE(folder.failure());
+  EXPECT_EQ(folder.failure()->field, (run_ / "frames").string());
+  EXPECT_THAT(folder.failure()->what(), testing::HasSubstr("cannot be created"));
+}
+
+TEST_F(FrameFolder, NamesWhatCannotBeRemoved) {
   const auto message = [&](const fs::path& path, const auto& act) {
     try {
       act();
@@ -123,8 +178,6 @@ TEST_F(FrameFolder, NamesWhatCannotBeMadeOrRemoved) {
     }
     return std::string();
   };
-  test::write_text((run_ / "frames").string(), "a file");
-  EXPECT_THAT(message(run_ / "frames", [&] { write(1); }), testing::HasSubstr("cannot be created"));
   fs::create_directories(run_ / "frames.xdmf" / "full");
   EXPECT_THAT(message(run_ / "frames.xdmf", [&] { write(1); }), testing::HasSubstr("cannot be removed"));
 }

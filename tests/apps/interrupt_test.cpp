@@ -32,4 +32,13 @@ TEST(InterruptGuard, ForgetsEarlierSignals) {
   EXPECT_FALSE(guard.interrupted());
 }
 
+TEST(InterruptGuard, GoesOnWhenNobodyReadsAnyMore) {
+  {
+    const app::InterruptGuard guard;
+    std::raise(SIGPIPE);
+    EXPECT_FALSE(guard.interrupted());
+  }
+  EXPECT_EQ(std::signal(SIGPIPE, SIG_DFL), SIG_DFL) << "only as long as it lives";
+}
+
 }  // namespace

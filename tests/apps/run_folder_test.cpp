@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "apps/attempts.hpp"
 #include "apps/output/damage_picture.hpp"
 #include "apps/output/deformed_picture.hpp"
 #include "apps/output/picture_scale.hpp"
@@ -178,26 +179,22 @@ TEST_F(RunFolder, NamesAFolderThatCannotBeMade) {
   }
 }
 
-TEST_F(RunFolder, NamesTheFileThatCannotBeWritten) {
-  fs::create_directories(folder_ / "curve.csv");
-  const FakeRun run = tension_run(30);
-  try {
-    write_run(folder_, run.record());
-    FAIL() << "a folder was replaced by a file";
-  } catch (const mpm::FileError& error) {
-    EXPECT_EQ(error.field, (folder_ / "curve.csv").string());
-  }
-}
-
-TEST_F(RunFolder, NamesThePictureThatCannotBeWritten) {
-  fs::create_directories(folder_ / "specimen.png");
-  const FakeRun run = tension_run(30);
-  try {
-    write_run(folder_, run.record());
-    FAIL() << "a folder was replaced by a picture";
-  } catch (const specimen::Error& error) {
-    EXPECT_EQ(error.fault, specimen::Fault::write);
-    EXPECT_THAT(error.what(), HasSubstr("specimen.png"));
+TEST_F(RunFolder, NamesTheFilesThatCannotBeWrittenAndWritesAllOthers) {
+  const FakeRun run = impact_run(30);
+  write_run(folder_, run.record());
+  const std::set<std::string> all = names();
+  for (const std::string& blocked : all) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / blocked / "folder");
+    try {
+      write_run(folder_, run.record());
+      ADD_FAILURE() << blocked << ": a folder was replaced by a file";
+    } catch (const NotWritten& missing) {
+      ASSERT_EQ(missing.files.size(), 1U) << blocked;
+      EXPECT_EQ(missing.files[0].field, (folder_ / blocked).string());
+    }
+    EXPECT_EQ(names(), all);
+    for (const std::string& name : all) EXPECT_EQ(fs::is_directory(folder_ / name), name == blocked);
   }
 }
 

@@ -89,6 +89,23 @@ TEST_F(SimulateCommand, SaysWhenNothingCarriesLoadAnyMore) {
   EXPECT_EQ(figures["tension_failures"], 32);
 }
 
+TEST_F(SimulateCommand, KeepsWhatTheDiskTakesAndNamesTheRest) {
+  fs::create_directories("run/report.html/in the way");
+  fs::create_directories("run/curve.png/in the way");
+  test::write_text("run/frames", "a file");
+  ASSERT_EQ(run({"scene.toml", "-o", "run", "--overwrite", "--frames", "2", "--json"}), Exit::io);
+  EXPECT_GT(json::parse(out_.str())["peak_stress_Pa"], 0) << "what was computed is told all the same";
+  EXPECT_TRUE(fs::exists("run/result.h5"));
+  EXPECT_TRUE(fs::exists("run/damage_150.png"));
+  EXPECT_THAT(err_.str(), testing::StartsWith("warning: run/frames: cannot be created: "));
+  EXPECT_THAT(err_.str(), HasSubstr("; the run goes on\n"));
+  EXPECT_THAT(err_.str(), HasSubstr("\nmesopix: run/frames: cannot be created: "));
+  EXPECT_THAT(err_.str(), HasSubstr("; 3 of 3 frames are missing\n"));
+  EXPECT_THAT(err_.str(), HasSubstr("\nmesopix: run/report.html: cannot be written: "));
+  EXPECT_THAT(err_.str(), HasSubstr("\nmesopix: run/curve.png: cannot be written: "));
+  EXPECT_THAT(err_.str(), Not(HasSubstr("wrote run")));
+}
+
 TEST_F(SimulateCommand, RefusesWhatDoesNotGoTogether) {
   expect_refusal({"scene.toml", "--port", "8080"}, Exit::usage,
                  "--port: 8080; is for --serve, which is not given; add --serve");

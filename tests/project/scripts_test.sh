@@ -26,7 +26,7 @@ stub dpkg-query 'echo installed'
 stub apt-get 'echo "apt-get was called"; exit 1'
 expect 0 "" "$install" check
 expect 2 "usage:" "$install"
-expect 2 "'nonsense' is no step; the steps are: format gcc clang tidy" "$source_dir/check" nonsense
+expect 2 "'nonsense' is no step; the steps are: format gcc clang tidy tsan coverage cppcheck" "$source_dir/check" nonsense
 
 stub dpkg-query '[[ $* == *libtiff-dev* ]] && exit 1; echo installed'
 expect 1 "Installing 1 Debian packages: libtiff-dev" "$install" build

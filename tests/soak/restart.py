@@ -9,24 +9,7 @@ import argparse, sys, tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from runs import checkpoints, digest, finished, frames, is_whole, simulate, stop, wait_for
-
-small = ["--generate.width", "60 mm", "--generate.height", "60 mm"]
-# What makes a scene short, by its name.
-short = {
-    "brazilian": ["--velocity", "20 m/s"],
-    "compression_fragments": [*small, "--velocity", "50 m/s"],
-    "concrete_compression": [*small, "--velocity", "1 m/s"],
-    "concrete_tension": [*small, "--velocity", "0.2 m/s"],
-    "disc_impact": ["--duration", "0.05 ms"],
-    "two_aggregates": ["--velocity", "0.2 m/s"],
-    "paper/compression": [*small, "--velocity", "2 m/s", "--set", "damage.crack_closure=clipped"],
-    "paper/compression_closure": [*small, "--velocity", "8 m/s"],
-    "paper/generation": [*small, "--velocity", "0.2 m/s"],
-    "paper/objectivity": ["--velocity", "1 m/s"],
-    "paper/tension": [*small, "--velocity", "0.2 m/s", "--precision", "single"],
-    "paper/two_aggregates": ["--velocity", "0.2 m/s"],
-}
+from runs import checkpoints, digest, finished, frames, is_whole, scenes_of, simulate, stop, wait_for
 
 
 def stopped_halfway(mesopix, arguments, run):
@@ -64,10 +47,11 @@ if __name__ == "__main__":
     parser.add_argument("--full", action="store_true")
     parser.add_argument("--only", default="")
     given = parser.parse_args()
-    scenes = {str(path.relative_to(given.data).with_suffix("")): path for path in sorted(given.data.rglob("*.toml"))}
-    assert scenes.keys() == short.keys(), "a scene of data/ has no short form here, or the other way round"
-    for key, scene in scenes.items():
+    count = 0
+    for key, (scene, options) in scenes_of(given.data, given.full).items():
         if given.only not in key:
             continue
         with tempfile.TemporaryDirectory() as folder:
-            check(given.mesopix.resolve(), key, scene.resolve(), [] if given.full else short[key], Path(folder))
+            check(given.mesopix.resolve(), key, scene, options, Path(folder))
+        count += 1
+    print(f"In all: {count} scenes stopped halfway, each with the same bits in the end")

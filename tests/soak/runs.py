@@ -1,8 +1,32 @@
-"""What the tests of stopped runs share: how a run is started, stopped, gone on with, and compared with another."""
+"""What the tests of whole runs share: the scenes, and how a run is started, stopped, gone on with, and compared with another."""
 import hashlib, signal, subprocess, time
 from pathlib import Path
 
 import h5py
+
+small = ["--generate.width", "60 mm", "--generate.height", "60 mm"]
+# What makes a scene of data/ last a second or so, by its name.
+short = {
+    "brazilian": ["--velocity", "20 m/s"],
+    "compression_fragments": [*small, "--velocity", "50 m/s"],
+    "concrete_compression": [*small, "--velocity", "1 m/s"],
+    "concrete_tension": [*small, "--velocity", "0.2 m/s"],
+    "disc_impact": ["--duration", "0.05 ms"],
+    "two_aggregates": ["--velocity", "0.2 m/s"],
+    "paper/compression": [*small, "--velocity", "2 m/s", "--set", "damage.crack_closure=clipped"],
+    "paper/compression_closure": [*small, "--velocity", "8 m/s"],
+    "paper/generation": [*small, "--velocity", "0.2 m/s"],
+    "paper/objectivity": ["--velocity", "1 m/s"],
+    "paper/tension": [*small, "--velocity", "0.2 m/s", "--precision", "single"],
+    "paper/two_aggregates": ["--velocity", "0.2 m/s"],
+}
+
+
+def scenes_of(data, full=False):
+    """Every scene of data/ by its name, and the options that make it short; none for a full one."""
+    scenes = {str(path.relative_to(data).with_suffix("")): path.resolve() for path in sorted(data.rglob("*.toml"))}
+    assert scenes.keys() == short.keys(), "a scene of data/ has no short form here, or the other way round"
+    return {name: (path, [] if full else short[name]) for name, path in scenes.items()}
 
 
 def simulate(mesopix, *arguments):
