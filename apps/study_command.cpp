@@ -9,13 +9,14 @@
 #include "apps/output/text.hpp"
 #include "apps/read_option.hpp"
 #include "apps/shell_word.hpp"
+#include "apps/study_closing.hpp"
+#include "apps/study_collect_command.hpp"
 #include "apps/study_file.hpp"
 #include "apps/study_growth.hpp"
 #include "apps/study_line.hpp"
-#include "apps/study_report.hpp"
-#include "apps/study_table.hpp"
+#include "apps/study_status_command.hpp"
+#include "apps/study_submit_command.hpp"
 #include "apps/text_parts.hpp"
-#include "libmpm/replace_file.hpp"
 
 namespace app {
 namespace {
@@ -41,52 +42,16 @@ constexpr const char* footer =
     "what it\ndepends on: the same command goes on where it stopped, and a study may grow by seeds, levels "
     "and samples\n(a Latin hypercube cannot). It gets table.csv, table.h5 and report.html. Frames are not "
     "written.\n"
+    "On a cluster: mesopix study submit, status, collect.\n"
     "Example: a hundred specimens, or as many as tell the mean strength to 2 %\n"
     "  mesopix study data/tension_study.toml\n"
     "  mesopix study data/tension_study.toml --until-ci \"2 %\"";
-
-constexpr std::size_t most_reasons = 5;
-
-/// Each of the first failed members with its reason, and where the others are told.
-/// @throws Rejected when any has failed.
-void refuse_failures(const Study& study, const StudyFolder& folder, const std::vector<Member>& members) {
-  std::vector<Complaint> complaints;
-  std::size_t failed = 0;
-  for (const Member& member : members) {
-    if (folder.has_result(member) || !folder.has_failed(member)) continue;
-    if (++failed <= most_reasons)
-      complaints.push_back(complaint(name_of(study, member), folder.failure(member), ""));
-  }
-  if (failed == 0) return;
-  complaints.push_back(complaint("study", fmt::format("{} of {} members failed", failed, members.size()),
-                                 "all reasons are in " + (folder.path() / "failures").string(),
-                                 "--retry runs them again"));
-  throw Rejected(Exit::data, std::move(complaints));
-}
-
-void write_tables(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
-                  const StudyResults& results) {
-  const std::vector<mpm::TableColumn> table = study_table(study, members, results);
-  mpm::replace_file(folder.file("table.csv").string(), table_csv(table));
-  mpm::write_table(folder.file("table.h5").string(), table);
-  mpm::replace_file(folder.file("timing.csv").string(), table_csv(timing_table(members, results)));
-}
-
-void say_means(const Study& study, const StudyResults& results, Console& console) {
-  if (!study.plan.parameters.empty()) return;
-  const MeanEstimate stress = mean_estimate(results.peak_stress());
-  if (stress.count < 2) return;
-  console.say(fmt::format("mean peak {:.4g} MPa, 95 % confidence interval \u00b1{}, standard deviation {}",
-                          1e-6 * stress.mean, output::percent(stress.relative_half_width(), 2),
-                          output::percent(stress.deviation / stress.mean, 1)));
-}
 
 }  // namespace
 
 StudyCommand::StudyCommand(CLI::App& program)
     : Command(program, "study", "Run a scene many times, with other seeds and values", footer) {
-  options().add_option("STUDY", input_, "study.toml, see below")->type_name("");
-  options().add_option("-o,--output", output_, "folder [runs/STUDY]")->type_name("DIR");
+  input_.add_to(options());
   options().add_option("--jobs", jobs_, "members at a time [one a core]")->type_name("N");
   options()
       .add_option(
@@ -100,14 +65,13 @@ StudyCommand::StudyCommand(CLI::App& program)
       ->type_name("I:J");
   options().add_flag("--retry", retry_, "run members again that have failed before");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+  below_.push_back(std::make_unique<StudySubmitCommand>(options()));
+  below_.push_back(std::make_unique<StudyStatusCommand>(options()));
+  below_.push_back(std::make_unique<StudyCollectCommand>(options()));
 }
 
 void StudyCommand::check_options() const {
-  if (input_.empty())
-    throw Rejected(Exit::usage, complaint("STUDY", "missing", "", "mesopix study STUDY.toml"));
-  if (kind_of_input(input_) != InputKind::scene)
-    throw Rejected(Exit::usage, complaint("STUDY", input_, "must be a study, study.toml",
-                                          "mesopix study --help shows what stands in it"));
+  input_.check();
   if (!until_ci_.empty() && !members_.empty())
     throw Rejected(Exit::usage, complaint("--until-ci", "given with --members", "", "give one of the two"));
 }
@@ -116,14 +80,10 @@ int StudyCommand::workers() const {
   return jobs_.empty() ? core_count() : read_option("--jobs", jobs_, Integer<>{{between(1, 1024), {}}});
 }
 
-StudyFolder StudyCommand::folder() const {
-  return StudyFolder(output_.empty() ? fs::path("runs") / fs::path(input_).stem() : fs::path(output_));
-}
-
 /// That goes on with the study.
 std::string StudyCommand::command() const {
-  std::string text = "mesopix study " + shell_word(input_);
-  if (!output_.empty()) text += " -o " + shell_word(output_);
+  std::string text = "mesopix study";
+  for (const std::string& word : input_.words()) text += " " + shell_word(word);
   if (!members_.empty()) text += " --members " + members_;
   if (!until_ci_.empty()) text += " --until-ci " + shell_word(until_ci_);
   if (!jobs_.empty()) text += " --jobs " + jobs_;
@@ -149,7 +109,7 @@ StudyTally StudyCommand::work(const Study& study, const std::vector<Member>& mem
                               const InterruptGuard& guard, Console& console) const {
   StudyLine line(console);
   return run_members(
-      study, folder(), members, workers(),
+      study, input_.folder(), members, workers(),
       {[&](const StudyTally& tally) { line.show(tally); }, [&] { return !guard.interrupted(); }});
 }
 
@@ -165,7 +125,7 @@ Exit StudyCommand::run_part(const Study& study, const std::vector<Member>& membe
   const StudyTally tally = work(study, members, guard, console);
   if (tally.open() > 0) return say_interrupted(tally, console);
   console.say(fmt::format("{} members, of which {} were there before", tally.all, tally.before));
-  refuse_failures(study, folder(), members);
+  refuse_failures(study, input_.folder(), members);
   return Exit::ok;
 }
 
@@ -176,7 +136,7 @@ Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& 
   for (;;) {
     const StudyTally tally = work(study, members, guard, console);
     if (tally.open() > 0) return say_interrupted(tally, console);
-    const StudyResults results = read_results(folder(), members);
+    const StudyResults results = read_results(input_.folder(), members);
     const std::size_t seeds = study.plan.seeds.size();
     const std::size_t wanted =
         share > 0 ? seeds_to_go_on_with(peak_estimates(members, results), seeds, share) : seeds;
@@ -192,11 +152,8 @@ Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& 
 /// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
 void StudyCommand::finish(const Study& study, const std::vector<Member>& members, const StudyResults& results,
                           double share, Console& console) const {
-  write_tables(folder(), study, members, results);
-  write_study_report(folder(), study, members, results);
-  say_means(study, results, console);
-  console.say("wrote " + folder().path().string());
-  refuse_failures(study, folder(), members);
+  close_study(input_.folder(), study, members, results, console);
+  refuse_failures(study, input_.folder(), members);
   const double width = largest_half_width(peak_estimates(members, results));
   if (share > 0 && !(width <= share))
     throw Rejected(Exit::data, complaint("--until-ci", until_ci_,
@@ -209,20 +166,25 @@ double StudyCommand::until_ci() const {
 }
 
 Exit StudyCommand::run(Console& console) {
+  for (const auto& command : below_)
+    if (command->options().parsed()) {
+      refuse_remaining(command->options());
+      return command->run(console);
+    }
   console.quiet = quiet_;
   check_options();
   (void)workers();
   if (!until_ci_.empty()) (void)until_ci();
-  const Study study = read_study(input_);
+  const Study study = read_study(input_.file());
   if (!until_ci_.empty() && study.plan.seeds.empty())
     throw Rejected(Exit::usage, complaint("--until-ci", until_ci_, "needs a study with seeds",
-                                          "write seeds = 10 into " + input_));
+                                          "write seeds = 10 into " + input_.file()));
   const std::vector<Member> all = list_members(study);
   const std::vector<Member> members = members_.empty() ? all : wanted(all);
   check_scenes(study, members);
-  folder().open(study, all, input_);
+  input_.folder().open(study, all, input_.file());
   if (retry_)
-    for (const Member& member : members) folder().forget_failure(member);
+    for (const Member& member : members) input_.folder().forget_failure(member);
   return members_.empty() ? run_whole(study, members, console) : run_part(study, members, console);
 }
 

@@ -1,11 +1,13 @@
 /// mesopix study: run a scene many times, with other seeds and values.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "apps/command.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/study_input.hpp"
 #include "apps/study_results.hpp"
 #include "apps/study_run.hpp"
 
@@ -20,7 +22,6 @@ class StudyCommand : public Command {
   void check_options() const;
   [[nodiscard]] int workers() const;
   [[nodiscard]] double until_ci() const;
-  [[nodiscard]] StudyFolder folder() const;
   [[nodiscard]] std::string command() const;
   [[nodiscard]] std::vector<Member> wanted(const std::vector<Member>& members) const;
   [[nodiscard]] StudyTally work(const Study& study, const std::vector<Member>& members,
@@ -31,8 +32,8 @@ class StudyCommand : public Command {
   void finish(const Study& study, const std::vector<Member>& members, const StudyResults& results,
               double share, Console& console) const;
 
-  std::string input_;
-  std::string output_;
+  StudyInput input_;
+  std::vector<std::unique_ptr<Command>> below_;  ///< submit, status, collect
   std::string members_;
   std::string jobs_;
   std::string until_ci_;

@@ -102,6 +102,8 @@ fs::path StudyFolder::result_file(const Member& member) const {
   return path_ / "members" / (member.id + ".h5");
 }
 
+fs::path StudyFolder::run_folder(const Member& member) const { return path_ / "members" / member.id; }
+
 fs::path StudyFolder::failure_file(const Member& member) const {
   return path_ / "failures" / (member.id + ".json");
 }
@@ -109,6 +111,8 @@ fs::path StudyFolder::failure_file(const Member& member) const {
 bool StudyFolder::has_result(const Member& member) const { return is_there(result_file(member)); }
 
 bool StudyFolder::has_failed(const Member& member) const { return is_there(failure_file(member)); }
+
+bool StudyFolder::has_begun(const Member& member) const { return is_there(run_folder(member)); }
 
 void StudyFolder::write_failure(const Study& study, const Member& member, const std::string& reason) const {
   nlohmann::ordered_json json{{"member", member.number}, {"id", member.id}, {"reason", reason}};

@@ -1,6 +1,7 @@
 /// What a study keeps on disk.
 ///   study.toml, scene.toml   the study and its scene, as they were given
 ///   members/ID.h5            result of a member (mpm::write_result), named by what it depends on
+///   members/ID/checkpoints   of a member that was interrupted (CheckpointFolder)
 ///   failures/ID.json         why a member has none
 ///   table.csv, table.h5, timing.csv, report.html, cracks.png   what all of them say together
 #pragma once
@@ -29,9 +30,13 @@ class StudyFolder {
   [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }
   [[nodiscard]] std::filesystem::path result_file(const Member& member) const;
   [[nodiscard]] std::filesystem::path failure_file(const Member& member) const;
+  /// Of a member that is not done yet.
+  [[nodiscard]] std::filesystem::path run_folder(const Member& member) const;
 
   [[nodiscard]] bool has_result(const Member& member) const;
   [[nodiscard]] bool has_failed(const Member& member) const;
+  /// Whether there is something to go on from.
+  [[nodiscard]] bool has_begun(const Member& member) const;
 
   /// Keep why a member failed.   @throws mpm::FileError.
   void write_failure(const Study& study, const Member& member, const std::string& reason) const;

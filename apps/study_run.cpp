@@ -6,12 +6,12 @@
 #include <new>
 
 #include "apps/job_pool.hpp"
+#include "apps/member_checkpoints.hpp"
 #include "apps/scene_builder.hpp"
 #include "apps/specimen_source.hpp"
 #include "apps/study_specimens.hpp"
 #include "libmpm/error.hpp"
 #include "libmpm/result_file.hpp"
-#include "libmpm/simulate.hpp"
 #include "specimen/error.hpp"
 
 namespace app {
@@ -68,11 +68,14 @@ class Runner {
   bool solve(const Member& member) {
     const Settings settings = member_settings(study_, member);
     const mpm::Scene scene = build_scene(*specimens_.of(settings), settings);
-    const mpm::Result result =
-        mpm::simulate(scene, {.observer = [this](const mpm::Progress&) { return goes_on(); }});
+    MemberCheckpoints checkpoints(folder_.run_folder(member), member_scene(settings));
+    const mpm::Result result = checkpoints.run(scene, [this](const mpm::Progress&) { return goes_on(); });
     if (result.stop == mpm::StopReason::interrupted) return false;
-    const std::scoped_lock lock(hdf5_mutex());
-    mpm::write_result(folder_.result_file(member).string(), result, member_scene(settings));
+    {
+      const std::scoped_lock lock(hdf5_mutex());
+      mpm::write_result(folder_.result_file(member).string(), result, member_scene(settings));
+    }
+    checkpoints.remove();
     return true;
   }
 

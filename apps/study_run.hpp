@@ -30,8 +30,9 @@ struct StudyWatch {
 void check_scenes(const Study& study, const std::vector<Member>& members);
 
 /// Run the members that have neither a result nor a failure, each on one thread; write the result of each
-/// into the folder, or why it has failed. What a member gives depends on nothing but itself. No more than
-/// `workers` + 1 specimens and `workers` results are held at a time.
+/// into the folder, or why it has failed. One that is interrupted goes on from its checkpoint the next time.
+/// What a member gives depends on nothing but itself. No more than `workers` + 1 specimens and `workers`
+/// results are held at a time.
 /// @param workers  threads, >= 1.   @throws mpm::FileError, specimen::Error (Fault::write) when the disk
 /// fails; no member is begun after that.
 [[nodiscard]] StudyTally run_members(const Study& study, const StudyFolder& folder,
