@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/seed_runs.hpp"
+#include "apps/study_spread.hpp"
 #include "apps/study_values.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/text_file.hpp"
