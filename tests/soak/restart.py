@@ -19,7 +19,6 @@ short = {
     "concrete_compression": [*small, "--velocity", "1 m/s"],
     "concrete_tension": [*small, "--velocity", "0.2 m/s"],
     "disc_impact": ["--duration", "0.05 ms"],
-    "small_tension": ["--velocity", "0.02 m/s"],
     "two_aggregates": ["--velocity", "0.2 m/s"],
     "paper/compression": [*small, "--velocity", "2 m/s", "--set", "damage.crack_closure=clipped"],
     "paper/compression_closure": [*small, "--velocity", "8 m/s"],
@@ -66,7 +65,7 @@ if __name__ == "__main__":
     parser.add_argument("--only", default="")
     given = parser.parse_args()
     scenes = {str(path.relative_to(given.data).with_suffix("")): path for path in sorted(given.data.rglob("*.toml"))
-              if not path.stem.endswith("_study")}
+              if not path.stem.endswith("_study") and path.stem != "small_tension"}  # over before it can be stopped
     assert scenes.keys() == short.keys(), "a scene of data/ has no short form here, or the other way round"
     for key, scene in scenes.items():
         if given.only not in key:
