@@ -82,6 +82,10 @@ TEST_F(StudySections, SizesHaveALawThatMayNotFit) {
       AllOf(HasSubstr("50.0"), HasSubstr("explains most of the variance")));
   EXPECT_THAT(size_section(record(text, [&](const Member& m) { return 3e6 + 1e7 * size(m); })),
               HasSubstr("no size at which plasticity gives way to fracture"));
+  const auto scattered = [&](const Member& m) {
+    return 4e6 / std::sqrt(1 + size(m) / 0.3) + (m.number < 3 ? 5e5 : -5e5);
+  };
+  EXPECT_THAT(size_section(record(text, scattered)), HasSubstr("less than half of the variance"));
   EXPECT_TRUE(varies_pixels(study_.plan));
 }
 
