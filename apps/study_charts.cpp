@@ -203,6 +203,11 @@ Chart size_chart(const std::vector<double>& sizes, const std::vector<double>& st
           {}};
 }
 
+Chart influence_chart(const std::vector<double>& x, const std::vector<double>& y, const output::Axis& x_axis,
+                      const output::Axis& y_axis) {
+  return {y_axis.label + " against " + x_axis.label, x_axis, y_axis, {dots("", x, y, Ink::first)}, {}};
+}
+
 output::Drawing crack_drawing(const CrackCount& cracks, const specimen::LabelledMask& mask) {
   const auto rows = static_cast<int>(cracks.failures.rows()), cols = static_cast<int>(cracks.failures.cols());
   std::vector<double> shares;

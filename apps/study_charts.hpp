@@ -40,6 +40,10 @@ namespace app {
 [[nodiscard]] output::Chart size_chart(const std::vector<double>& sizes, const std::vector<double>& strengths,
                                        const SizeEffect& fit);
 
+/// A figure of the members against a parameter.
+[[nodiscard]] output::Chart influence_chart(const std::vector<double>& x, const std::vector<double>& y,
+                                            const output::Axis& x_axis, const output::Axis& y_axis);
+
 /// How often each pixel has failed, with a scale bar and a colour bar in %.
 /// @pre the count has the shape of the mask.
 [[nodiscard]] output::Drawing crack_drawing(const CrackCount& cracks, const specimen::LabelledMask& mask);

@@ -23,34 +23,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
-    "STUDY.toml says which scene is run, and what of it varies:\n"
-    "  title = \"Strength of the mortar\"\n"
-    "  scene = \"concrete_tension.toml\"     # relative to the study file\n"
-    "  seeds = 20                          # each point with 20 seeds, from 1 on; or a list [1, 5, 9]\n"
-    "  seed_of = [\"generate\", \"damage\"]    # tables whose seed varies: both by default, so that each "
-    "member\n"
-    "                                      # is another specimen of the same kind\n"
-    "  sampling = \"sobol\"                  # grid (the default), latin_hypercube or sobol\n"
-    "  samples = 64                        # points, of all but a grid\n"
-    "  [vary]                              # keys of the scene; several with + take one value\n"
-    "  \"phases.mortar.tensile_scale\" = {low = \"10 MPa\", high = \"20 MPa\"}           # a range, sampled\n"
-    "  \"loading.velocity\" = {from = \"0.02 m/s\", to = \"0.1 m/s\", steps = 5}         # equal steps\n"
-    "  \"generate.width + generate.height\" = [\"75 mm\", \"150 mm\"]                    # a list\n"
-    "Members run one on each core, each on one thread; memory is taken by those that run, some 100 MB each "
+constexpr const char* about_values =
+    "[vary] has keys of the scene; several with + take one value. Values are a list, equal steps, or a range "
+    "to "
+    "sample:\n"
+    "  \"generate.width + generate.height\" = [\"75 mm\", \"150 mm\"]\n"
+    "  \"loading.velocity\" = {from = \"0.02 m/s\", to = \"0.1 m/s\", steps = 5}\n"
+    "  \"phases.mortar.tensile_scale\" = {low = \"10 MPa\", high = \"20 MPa\"}\n";
+
+constexpr const char* about_members =
+    "Members run one on each core, each on one thread. Memory is taken by those that run, less than 100 MB "
+    "each "
     "for a\nmillion points, and by 200 points of the curve of every member. The folder keeps every member by "
-    "what it\ndepends on: the same command goes on where it stopped, and a study may grow by seeds, levels "
-    "and samples\n(a Latin hypercube cannot). It gets table.csv, table.h5 and report.html. Frames are not "
-    "written.\n"
+    "what it\ndepends on, the version of the program included: the same command goes on where it stopped, "
+    "and a "
+    "study\nmay grow by seeds, levels and samples (a Latin hypercube cannot). It gets table.csv, table.h5 "
+    "and "
+    "report.html;\nmembers write no frames. The table is the same whatever ran where; on processors of "
+    "different "
+    "kinds, set\nsolver.instruction_set in the scene.\n"
     "On a cluster: mesopix study submit, status, collect.\n"
-    "Example: a hundred specimens, or as many as tell the mean strength to 2 %\n"
+    "Example: twenty specimens, or as many as tell the mean strength to 2 %\n"
     "  mesopix study data/tension_study.toml\n"
     "  mesopix study data/tension_study.toml --until-ci \"2 %\"";
+
+/// What a study file may say, by its own schema.
+std::string footer() {
+  std::string text = "Keys of STUDY.toml:\n";
+  for (const auto& field : study_fields())
+    text += fmt::format("  {:<14}{:<30}{}\n", field.key, field.type, field.help);
+  return text + about_values + about_members;
+}
 
 }  // namespace
 
 StudyCommand::StudyCommand(CLI::App& program)
-    : Command(program, "study", "Run a scene many times, with other seeds and values", footer) {
+    : Command(program, "study", "Run a scene many times, with other seeds and values", footer()) {
   input_.add_to(options());
   options().add_option("--jobs", jobs_, "members at a time [one a core]")->type_name("N");
   options()

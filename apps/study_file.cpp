@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/seed_runs.hpp"
+#include "apps/study_spread.hpp"
 #include "apps/study_values.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/text_file.hpp"
@@ -253,10 +254,10 @@ const std::vector<FieldOf<StudyPlan>>& study_fields() {
       field(
           "title", Text{}, "of the report", [](auto& plan) -> auto& { return plan.title; }),
       field(
-          "scene", Path{}, "scene that every member begins with",
+          "scene", Path{}, "scene that every member begins with, relative to the study",
           [](auto& plan) -> auto& { return plan.scene; }),
       field(
-          "sampling", sampling, "how points fill the space of [vary]",
+          "sampling", sampling, "how points fill the space of [vary]; grid by default",
           [](auto& plan) -> auto& { return plan.sampling; }),
       field(
           "samples", Integer<>{{between(1, most_seeds), {}}}, "points, of all but a grid",
@@ -268,7 +269,9 @@ const std::vector<FieldOf<StudyPlan>>& study_fields() {
           "seeds", Seeds{}, "seeds that every point is run with: how many, from 1 on, or which",
           [](auto& plan) -> auto& { return plan.seeds; }),
       field(
-          "seed_of", SeedTables{}, "tables of the scene whose key seed takes them",
+          "seed_of", SeedTables{},
+          "tables whose seed varies; by default both of damage and generate that the scene "
+          "has, so that each member is another specimen of the same kind",
           [](auto& plan) -> auto& { return plan.seed_of; }),
   };
   return all;

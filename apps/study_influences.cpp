@@ -21,7 +21,8 @@ using output::rounded;
 using output::section;
 
 constexpr std::size_t least_members = 8;  ///< for a sensitivity
-constexpr double good_fit = 0.5;          ///< share of the variance below which a law explains little
+constexpr std::size_t most_charts = 6;
+constexpr double good_fit = 0.5;  ///< share of the variance below which a law explains little
 
 /// Pairs of a parameter and a figure, of the members that are done.
 struct Pairs {
@@ -57,6 +58,27 @@ std::vector<std::string> cells(const Pairs& pairs, bool ordered) {
 
 bool has_levels(const StudyParameter& parameter) {
   return parameter.is_range() || parameter.levels.size() > 1;
+}
+
+/// Peak stress against each of the first parameters that are numbers, two beside each other.
+std::string influence_charts(const StudyRecord& record) {
+  std::vector<std::string> charts;
+  const auto& parameters = record.study.plan.parameters;
+  for (std::size_t i = 0; i < parameters.size() && charts.size() < most_charts; ++i) {
+    if (!has_levels(parameters[i]) || !is_number(parameters[i])) continue;
+    Pairs pairs = pairs_of(record, i, record.results.peak_stress());
+    const ReadableUnit unit = readable_unit(parameters[i]);
+    for (double& x : pairs.x) x *= unit.per_si;
+    for (double& y : pairs.y) y *= 1e-6;
+    charts.push_back(
+        output::chart_figure(influence_chart(pairs.x, pairs.y, {parameters[i].name, unit.name, false, true},
+                                             {"Peak stress", "MPa"}),
+                             480, 300, ""));
+  }
+  std::string html;
+  for (std::size_t i = 0; i < charts.size(); i += 2)
+    html += output::side_by_side("even", charts[i], i + 1 < charts.size() ? charts[i + 1] : "");
+  return html;
 }
 
 std::string sensitivity_table(const StudyRecord& record, const std::string& name,
@@ -112,7 +134,8 @@ std::string sensitivity_section(const StudyRecord& record) {
       std::none_of(parameters.begin(), parameters.end(), has_levels))
     return "";
   return section("Sensitivities",
-                 sensitivity_table(record, "Peak stress", record.results.peak_stress()) +
+                 influence_charts(record) +
+                     sensitivity_table(record, "Peak stress", record.results.peak_stress()) +
                      sensitivity_table(record, "Strain at the peak", record.results.peak_strain()) +
                      "<div class=\"remarks\">\n" + output::paragraph(sensitivity_caption) + "</div>\n");
 }

@@ -71,6 +71,18 @@ void check(const Study& study, Member& member) {
   }
 }
 
+/// A member that is the same run as another one tells nothing new.
+void refuse_repetition(const Study& study, const Member& member,
+                       std::map<std::string, std::size_t>& numbers) {
+  const auto [first, is_new] = numbers.emplace(member.id, member.number);
+  if (!is_new)
+    refuse_member(study, member,
+                  {complaint("study", fmt::format("the same run as member {}", first->second),
+                             "members must differ in what their results depend on: not the title, threads or "
+                             "frames",
+                             "vary something else, or take fewer samples")});
+}
+
 void check_count(std::size_t points, std::size_t seeds) {
   if (points * seeds <= most_members) return;
   throw Rejected(Exit::data, complaint("study", fmt::format("{} points with {} seeds each", points, seeds),
@@ -86,10 +98,12 @@ std::vector<Member> list_members(const Study& study) {
   if (seeds.empty()) seeds.emplace_back();
   check_count(points.size(), seeds.size());
   std::vector<Member> members;
+  std::map<std::string, std::size_t> numbers;
   for (const auto& seed : seeds)
     for (std::size_t point = 0; point < points.size(); ++point) {
       members.push_back({members.size(), point, points[point], seed, {}});
       check(study, members.back());
+      refuse_repetition(study, members.back(), numbers);
     }
   return members;
 }

@@ -90,7 +90,10 @@ std::string study_html(const StudyRecord& record, const std::string& study_toml)
 
 void write_study_report(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
                         const StudyResults& results) {
-  const Settings settings = member_settings(study, members.front());
+  const auto done = std::find_if(results.outcomes.begin(), results.outcomes.end(),
+                                 [](const auto& outcome) { return outcome.state == MemberState::done; });
+  const auto first = done == results.outcomes.end() ? 0 : done - results.outcomes.begin();
+  const Settings settings = member_settings(study, members[static_cast<std::size_t>(first)]);
   StudyRecord record{study, members, results, settings.scene, {}};
   if (results.cracks.failures.size() > 0 && !varies_pixels(study.plan))
     record.mask = prepare_cells(settings).specimen.mask;

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <map>
 #include <mutex>
 #include <new>
+#include <optional>
 
 #include "apps/job_pool.hpp"
 #include "apps/member_checkpoints.hpp"
@@ -93,9 +96,29 @@ class Runner {
   StudyTally tally_;
 };
 
-void check_scene(const Study& study, const Member& member, const specimen::Specimen& uncut) {
-  const Settings settings = member_settings(study, member);
-  specimen::Specimen specimen = uncut;
+using Files = std::array<std::string, 3>;
+
+/// Specimens to check scenes with: one a file, or one of all that are random. None where it cannot be made:
+/// that is left to the run.
+class SampleSpecimens {
+ public:
+  const std::optional<specimen::Specimen>& of(const Settings& settings) {
+    const SpecimenChoice& choice = settings.specimen;
+    const auto [found, is_new] =
+        specimens_.try_emplace(Files{choice.file, choice.picture, choice.ellipses}, std::nullopt);
+    if (!is_new) return found->second;
+    try {
+      found->second = prepare_specimen(settings).specimen;
+    } catch (const specimen::Error&) {
+    }
+    return found->second;
+  }
+
+ private:
+  std::map<Files, std::optional<specimen::Specimen>> specimens_;
+};
+
+void check_scene(const Settings& settings, specimen::Specimen specimen) {
   (void)crop_to_cells(specimen, settings.scene.points_per_cell);
   mpm::validate(build_scene(specimen, settings));
 }
@@ -103,16 +126,11 @@ void check_scene(const Study& study, const Member& member, const specimen::Speci
 }  // namespace
 
 void check_scenes(const Study& study, const std::vector<Member>& members) {
-  if (members.empty()) return;
-  specimen::Specimen specimen;
-  try {
-    specimen = prepare_specimen(member_settings(study, members.front())).specimen;
-  } catch (const specimen::Error&) {
-    return;
-  }
+  SampleSpecimens specimens;
   for (const Member& member : members) {
     try {
-      check_scene(study, member, specimen);
+      const Settings settings = member_settings(study, member);
+      if (const auto& specimen = specimens.of(settings)) check_scene(settings, *specimen);
     } catch (const Rejected& rejected) {
       refuse_member(study, member, rejected.complaints);
     } catch (const mpm::Error& error) {

@@ -24,8 +24,8 @@ struct StudyWatch {
   std::function<bool()> go_on = {};  ///< asked by all threads; once it says no, all runs end unfinished
 };
 
-/// Whether every member's settings go with a specimen: phases, edges, solver. The specimen is that of the
-/// first member; one that cannot be made is left to its run.
+/// Whether every member's settings go with a specimen: phases, edges, solver. Specimens from files are all
+/// looked at, of random ones the first; one that cannot be made is left to its run.
 /// @throws Rejected (Exit::data) naming the first member that is not valid, and its values.
 void check_scenes(const Study& study, const std::vector<Member>& members);
 

@@ -16,8 +16,8 @@ struct StudyRecord {
   const Study& study;
   const std::vector<Member>& members;
   const StudyResults& results;
-  mpm::Scene scene;                            ///< of the first member, without its labels
-  std::optional<specimen::LabelledMask> mask;  ///< of the first member, where all have one size
+  mpm::Scene scene;                            ///< of the first member that is done, without labels
+  std::optional<specimen::LabelledMask> mask;  ///< of that member, where all have one size
 };
 
 /// Peak stress and strain: mean, scatter, confidence interval, histogram; by point where parameters vary.

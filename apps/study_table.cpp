@@ -109,6 +109,9 @@ std::vector<TableColumn> timing_table(const std::vector<Member>& members, const 
   std::vector<TableColumn> table = first_columns(members);
   table.push_back({"wall_time", "s", "of the time steps",
                    results.figure([](const MemberOutcome& outcome) { return outcome.figures.wall_time; })});
+  table.push_back(column<std::string>(
+      "instruction_set", "1", "that the steps were computed with", members,
+      [&](const Member& m) { return results.outcomes[m.number].figures.instruction_set; }));
   return table;
 }
 

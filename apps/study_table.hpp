@@ -10,12 +10,13 @@
 namespace app {
 
 /// Number, id, state, parameters, seed, and the figures of a result. All follow from the study alone:
-/// whatever ran where and in which order, the table is the same to the last bit.
+/// whatever ran where and in which order, the table is the same to the last bit, on processors with one
+/// instruction set.
 [[nodiscard]] std::vector<mpm::TableColumn> study_table(const Study& study,
                                                         const std::vector<Member>& members,
                                                         const StudyResults& results);
 
-/// What each member took: number, id, wall time of its steps.
+/// What each member took: number, id, wall time of its steps, instruction set.
 [[nodiscard]] std::vector<mpm::TableColumn> timing_table(const std::vector<Member>& members,
                                                          const StudyResults& results);
 

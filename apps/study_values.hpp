@@ -1,10 +1,7 @@
 /// The values that a parameter of a study takes.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "apps/study.hpp"
@@ -14,13 +11,15 @@ namespace app {
 /// Keys of the scene in "generate.width + generate.height".
 [[nodiscard]] std::vector<std::string> keys_of(const std::string& name);
 
-/// Whether a key is one of those that say how values spread: from, to, steps, low, high.
-[[nodiscard]] bool is_spread_key(std::string_view key);
+/// What the values measure; nullptr for whole numbers and all that is no number.
+[[nodiscard]] const Measure* measure_of(const StudyParameter& parameter);
 
-/// Read a list [1, 2, 3], equal steps {from, to, steps} or a range {low, high} into the parameter, whose
-/// fields are known, and try each value on all of them.
-/// @param folder  that paths are relative to.   @throws Mistake.
-void read_values(const toml::node& node, const std::string& folder, StudyParameter& parameter);
+/// Whether the fields take numbers, words such as "auto" beside them.
+[[nodiscard]] bool takes_numbers(const StudyParameter& parameter);
+
+/// A number in SI units as the scene file writes it; rounded where the fields take whole numbers.
+/// @pre takes_numbers().
+[[nodiscard]] Value written(const StudyParameter& parameter, double number);
 
 /// Value of the parameter at a place u in [0, 1): levels share the places evenly, a range goes in proportion,
 /// to five digits.

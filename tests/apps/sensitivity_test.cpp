@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "apps/study_points.hpp"
+#include "specimen/random.hpp"
 
 namespace {
 
@@ -37,6 +38,21 @@ TEST(Sensitivity, LevelsAreClasses) {
     y.push_back(i / 4 % 5);  // each with each: no influence
   }
   EXPECT_NEAR(first_order_index(x, y), 0, 0.01);
+}
+
+TEST(Sensitivity, WithoutInfluenceTheIndexIsZeroOnAverage) {
+  specimen::Random random(3);
+  constexpr int repeats = 200;
+  double mean = 0;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    std::vector<double> x, y;
+    for (int i = 0; i < 64; ++i) {
+      x.push_back(random.uniform());
+      y.push_back(random.uniform());
+    }
+    mean += first_order_index(x, y) / repeats;
+  }
+  EXPECT_NEAR(mean, 0, 0.02) << "eight classes by themselves explain a ninth of the variance";
 }
 
 TEST(Sensitivity, IsUnknownWhereNothingCanBeTold) {

@@ -54,6 +54,7 @@ TEST(StudyCharts, WeibullPaperMakesTheDistributionALine) {
     EXPECT_GT(high.x[i], line.x[i]);
   }
   EXPECT_TRUE(chart.series[0].dotted);
+  EXPECT_NEAR(chart.series[0].y[0], std::log(-std::log1p(-0.5 / 39)), 1e-12);
   EXPECT_EQ(std::count_if(chart.series[0].x.begin(), chart.series[0].x.end(), [](double x) { return x > 0; }),
             39);
 }

@@ -32,7 +32,8 @@ TEST_F(StudyCommand, LeavesMembersTablesAndAReport) {
   EXPECT_EQ(results("runs/study"), 6);
   EXPECT_THAT(table("runs/study"), StartsWith("member,id,state,seed,peak_stress_Pa,peak_strain,"));
   EXPECT_THAT(table("runs/study"), Not(HasSubstr("wall")));
-  EXPECT_THAT(test::read_text("runs/study/timing.csv"), StartsWith("member,id,wall_time_s\n0,"));
+  EXPECT_THAT(test::read_text("runs/study/timing.csv"),
+              StartsWith("member,id,wall_time_s,instruction_set\n0,"));
   const std::string report = test::read_text("runs/study/report.html");
   for (const char* piece : {"<h1>Small ones</h1>", "Peaks", "Weibull distribution of the peaks",
                             "How the mean settles", "Curves", "Where it cracks", "The study file"})

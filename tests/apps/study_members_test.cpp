@@ -77,6 +77,19 @@ TEST(StudyMembers, RefusesAMemberThatIsNotValidAndNamesIt) {
   }
 }
 
+TEST(StudyMembers, RefusesTheSameRunTwice) {
+  const test::TemporaryFolder folder;
+  const Study study = test::small_study(folder, "[vary]\n\"solver.threads\" = [1, 2]\n");
+  try {
+    (void)list_members(study);
+    FAIL();
+  } catch (const Rejected& rejected) {
+    EXPECT_THAT(
+        app::text(rejected.complaints.front()),
+        HasSubstr("study: the same run as member 0, in member 1 (solver.threads = 2); members must differ"));
+  }
+}
+
 TEST(StudyMembers, RefusesAggregatesThatNoSpecimenHas) {
   const test::TemporaryFolder folder;
   const Study study = test::small_study(folder, "[vary]\n\"generate.d_min\" = [\"4 mm\", \"9 mm\"]\n");

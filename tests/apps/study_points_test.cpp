@@ -46,6 +46,11 @@ TEST(StudyPoints, LatinHypercubeHasOnePointInEveryStratum) {
     std::set<int> strata;
     for (const auto& point : points) strata.insert(static_cast<int>(50 * point[axis]));
     EXPECT_EQ(strata.size(), 50U);
+    if (axis == 0) continue;
+    const auto together = std::count_if(points.begin(), points.end(), [&](const auto& point) {
+      return static_cast<int>(50 * point[0]) == static_cast<int>(50 * point[axis]);
+    });
+    EXPECT_LT(together, 6) << "the axes are shuffled on their own: one pair in 50 meets by chance";
   }
   EXPECT_EQ(points, latin_hypercube(4, 50, 7));
   EXPECT_NE(points, latin_hypercube(4, 50, 8));

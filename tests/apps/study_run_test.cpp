@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "apps/study_report.hpp"
 #include "apps/study_results.hpp"
 #include "libmpm/error.hpp"
 #include "libmpm/result_file.hpp"
@@ -52,9 +53,11 @@ TEST_F(StudyRun, AMemberIsWhatSimulateMakesOfItsScene) {
 TEST_F(StudyRun, EndsInOrderWhenItIsStopped) {
   int asked = 0;
   const StudyTally tally = run("seeds = 3\n", 1, {{}, [&] { return ++asked < 20; }});
-  EXPECT_GT(tally.open(), 0U);
-  EXPECT_FALSE(folder_.has_result(members_[2]));
-  EXPECT_FALSE(folder_.has_failed(members_[2]));
+  EXPECT_EQ(tally.open(), 3U);
+  for (const Member& member : members_) {
+    EXPECT_FALSE(folder_.has_result(member)) << "half a run is none";
+    EXPECT_FALSE(folder_.has_failed(member));
+  }
   EXPECT_EQ(run("seeds = 3\n", 1).open(), 0U);
 }
 
@@ -88,6 +91,12 @@ TEST_F(StudyRun, RefusesScenesThatDoNotGoWithTheSpecimen) {
     EXPECT_THAT(app::text(rejected.complaints.front()),
                 HasSubstr("phases.glass: no such phase, in member 0 (phases.glass.young = \"70 GPa\")"));
   }
+}
+
+TEST_F(StudyRun, AFailureOfTheFirstMemberLeavesAReport) {
+  run("[vary]\n\"generate.fraction\" = [0.89, 0.3]\n", 1);
+  write_study_report(folder_, study_, members_, read_results(folder_, members_));
+  EXPECT_THAT(test::read_text(folder_.file("report.html").string()), HasSubstr("1 member failed"));
 }
 
 TEST_F(StudyRun, RefusesAResultThatIsNotThatOfTheMember) {

@@ -63,7 +63,9 @@ TEST_F(StudySections, ParametersHaveInfluences) {
   EXPECT_EQ(weibull_section(vary), "");
   EXPECT_EQ(convergence_section(vary), "");
   EXPECT_THAT(peaks_section(vary), HasSubstr("phases.mortar.tensile_scale"));
-  const std::string table = sensitivity_section(vary);
+  const std::string html = sensitivity_section(vary);
+  EXPECT_THAT(html, HasSubstr("Peak stress against solver.cfl"));
+  const std::string table = html.substr(html.find("<table"));
   const std::size_t first = table.find("phases.mortar.tensile_scale"), second = table.find("solver.cfl");
   EXPECT_THAT(table.substr(first, second - first), AllOf(HasSubstr(">1.0<"), HasSubstr("&lt; 0.001")));
   EXPECT_THAT(table.substr(second), Not(HasSubstr("&lt; 0.001")));
@@ -80,6 +82,10 @@ TEST_F(StudySections, SizesHaveALawThatMayNotFit) {
       AllOf(HasSubstr("50.0"), HasSubstr("explains most of the variance")));
   EXPECT_THAT(size_section(record(text, [&](const Member& m) { return 3e6 + 1e7 * size(m); })),
               HasSubstr("no size at which plasticity gives way to fracture"));
+  const auto scattered = [&](const Member& m) {
+    return 4e6 / std::sqrt(1 + size(m) / 0.3) + (m.number < 3 ? 5e5 : -5e5);
+  };
+  EXPECT_THAT(size_section(record(text, scattered)), HasSubstr("less than half of the variance"));
   EXPECT_TRUE(varies_pixels(study_.plan));
 }
 

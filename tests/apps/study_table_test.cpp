@@ -30,7 +30,7 @@ TEST(StudyTable, HasARowAMember) {
   EXPECT_THAT(csv, HasSubstr(",1.5,"));
   EXPECT_THAT(csv, HasSubstr(",drop\n1," + members[1].id + ",failed,0.2,rough,5,,,"));
   EXPECT_THAT(table_csv(timing_table(members, results)),
-              HasSubstr("member,id,wall_time_s\n0," + members[0].id + ",0\n"));
+              HasSubstr("member,id,wall_time_s,instruction_set\n0," + members[0].id + ",0,\n"));
 }
 
 TEST(StudyTable, QuotesTextsThatHoldCommas) {
