@@ -11,8 +11,8 @@
 namespace app {
 
 /// The checkpoints of one member: once a minute, and when the observer ends its run. They are a convenience:
-/// one that cannot be written is left out, and one that cannot be gone on from (damaged, of another scene or
-/// instruction set) is passed over.
+/// one that cannot be written is left out, and one that cannot be gone on from (damaged, of another scene, of
+/// an instruction set that the processor lacks) is passed over.
 class MemberCheckpoints {
  public:
   /// @param folder  of the member alone.   @param scene_text  what its result depends on.

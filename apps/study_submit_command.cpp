@@ -133,6 +133,7 @@ void StudySubmitCommand::submit(SlurmJob job, const OpenStudy& open, Console& co
 }
 
 Exit StudySubmitCommand::run(Console& console) {
+  input_.check();
   check_options();
   (void)chunk(1);
   (void)cpus();
