@@ -25,6 +25,7 @@ struct StudyParameter {
   double low = 0;             ///< of a range [SI]
   double high = 0;            ///< of a range [SI]
   Place place;                ///< of its values in the study file
+  std::string folder;         ///< that its values are relative to where they are paths
 
   [[nodiscard]] bool is_range() const { return levels.empty(); }
 };
@@ -37,6 +38,7 @@ struct StudyPlan {
   int samples = 0;                   ///< points of a Latin hypercube or of Sobol's sequence; 0 = not given
   std::uint64_t sampling_seed = 1;   ///< of a Latin hypercube
   std::vector<std::uint64_t> seeds;  ///< every point is run with each; empty = with those of the scene
+  Place seed_of_place;               ///< in the study file, where it is given
   std::vector<std::string> seed_of;  ///< tables whose key `seed` takes them: "generate", "damage"
   std::vector<StudyParameter> parameters;  ///< in the order of the file
 };

@@ -69,6 +69,7 @@ class Walk {
     if (complaints_.empty()) check();
     if (!complaints_.empty()) refuse();
     order(plan_.parameters);
+    plan_.seed_of_place = place("seed_of");
     return plan_;
   }
 
@@ -152,7 +153,7 @@ class Walk {
   }
 
   void parameter(const Place& place, const std::string& name, const toml::node& node) {
-    StudyParameter parameter{name, {}, {}, 0, 0, place_of(node.source(), path_)};
+    StudyParameter parameter{name, {}, {}, 0, 0, place_of(node.source(), path_), folder_.string()};
     for (const std::string& key : keys_of(name)) {
       if (const auto field = find_field(key))
         parameter.fields.push_back(*field);
@@ -163,7 +164,7 @@ class Walk {
         return complain(place, std::string(vary) + "." + name, key + " varies already", "name it once");
     }
     try {
-      read_values(node, folder_.string(), parameter);
+      read_values(node, parameter);
       plan_.parameters.push_back(std::move(parameter));
     } catch (const Mistake& mistake) {
       complain(parameter.place, std::string(vary) + "." + name, "", mistake.allowed, mistake.cure);

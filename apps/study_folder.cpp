@@ -10,6 +10,7 @@
 #include "apps/output/text.hpp"
 #include "apps/scene_differences.hpp"
 #include "apps/study_file.hpp"
+#include "apps/study_values.hpp"
 #include "apps/text_file.hpp"
 #include "libmpm/replace_file.hpp"
 
@@ -119,7 +120,7 @@ void StudyFolder::write_failure(const Study& study, const Member& member, const 
   if (member.seed) json["seed"] = *member.seed;
   json["values"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < member.values.size(); ++i)
-    json["values"][study.plan.parameters[i].name] = toml_text(member.values[i]);
+    json["values"][study.plan.parameters[i].name] = text_of(study.plan.parameters[i], member.values[i]);
   mpm::replace_file(failure_file(member).string(),
                     json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

@@ -11,6 +11,7 @@
 #include "apps/scene_text.hpp"
 #include "apps/specimen_source.hpp"
 #include "apps/study_points.hpp"
+#include "apps/study_values.hpp"
 #include "specimen/digest.hpp"
 #include "specimen/error.hpp"
 
@@ -30,8 +31,11 @@ std::vector<Assignment> assignments_of(const Study& study, const Member& member)
                      toml_text(member.values[i])});
   if (member.seed)
     for (const std::string& table : study.plan.seed_of)
-      all.push_back(
-          {table + ".seed", {static_cast<std::int64_t>(*member.seed)}, {}, "seed_of", "\"" + table + "\""});
+      all.push_back({table + ".seed",
+                     {static_cast<std::int64_t>(*member.seed)},
+                     study.plan.seed_of_place,
+                     "seed_of",
+                     "\"" + table + "\""});
   return all;
 }
 
@@ -133,7 +137,7 @@ std::string name_of(const Study& study, const Member& member) {
   std::string values;
   for (std::size_t i = 0; i < member.values.size(); ++i)
     values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", study.plan.parameters[i].name,
-                          toml_text(member.values[i]));
+                          text_of(study.plan.parameters[i], member.values[i]));
   if (member.seed) values += fmt::format("{}seed {}", values.empty() ? "" : ", ", *member.seed);
   return fmt::format("member {}{}", member.number, values.empty() ? "" : " (" + values + ")");
 }

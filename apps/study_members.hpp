@@ -33,7 +33,7 @@ struct Member {
 /// depends on, and no more.
 [[nodiscard]] std::string member_scene(Settings settings);
 
-/// "member 17 (loading.velocity = "0.05 m/s", seed 3)".
+/// "member 17 (loading.velocity = 0.05 m/s, seed 3)".
 [[nodiscard]] std::string name_of(const Study& study, const Member& member);
 
 /// Refuse the whole study for the sake of a member.   @throws Rejected (Exit::data).

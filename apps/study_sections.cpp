@@ -77,12 +77,6 @@ std::string one_point_peaks(const StudyRecord& record) {
       output::facts_table(facts));
 }
 
-/// "4.5 MPa" of a value text in quotes.
-std::string plain(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value.data);
-  return text != nullptr ? *text : toml_text(value);
-}
-
 /// The first member of each point.
 std::vector<const Member*> points(const StudyRecord& record) {
   std::vector<const Member*> first;
@@ -107,7 +101,7 @@ std::string title_of(const StudyParameter& parameter) {
 std::string cell_of(const StudyParameter& parameter, const Value& value) {
   return is_number(parameter)
              ? output::trimmed(readable_unit(parameter).per_si * number_of(parameter, value), 5)
-             : plain(value);
+             : text_of(parameter, value);
 }
 
 /// The scatter is left out where points have one member each.
@@ -221,7 +215,8 @@ std::string curves_section(const StudyRecord& record) {
   std::vector<std::string> names;
   for (const Member* point : first) {
     std::string name;
-    for (const Value& value : point->values) name += (name.empty() ? "" : ", ") + plain(value);
+    for (std::size_t i = 0; i < point->values.size(); ++i)
+      name += (name.empty() ? "" : ", ") + text_of(record.study.plan.parameters[i], point->values[i]);
     names.push_back(name.empty() ? "mean" : "mean, " + name);
   }
   if (!means) {  // their means would hide each other

@@ -36,11 +36,11 @@ Value relative_to(const std::string& folder, const Value& value) {
   return {(std::filesystem::path(folder) / *text).lexically_normal().string()};
 }
 
-void read_list(const toml::array& array, const std::string& folder, StudyParameter& parameter) {
+void read_list(const toml::array& array, StudyParameter& parameter) {
   for (const toml::node& node : array) {
     std::optional<Value> value = value_of(node);
     if (!value) throw Mistake("a table or a date in the list", forms);
-    if (parameter.fields.front().kind == Kind::path) value = relative_to(folder, *value);
+    if (parameter.fields.front().kind == Kind::path) value = relative_to(parameter.folder, *value);
     try_on(parameter, *value);
     if (std::find(parameter.levels.begin(), parameter.levels.end(), *value) != parameter.levels.end())
       throw Mistake(toml_text(*value) + " stands there twice", "remove one");
@@ -103,8 +103,8 @@ bool is_spread_key(std::string_view key) {
   return std::find(spread_keys.begin(), spread_keys.end(), key) != spread_keys.end();
 }
 
-void read_values(const toml::node& node, const std::string& folder, StudyParameter& parameter) {
-  if (const toml::array* array = node.as_array()) return read_list(*array, folder, parameter);
+void read_values(const toml::node& node, StudyParameter& parameter) {
+  if (const toml::array* array = node.as_array()) return read_list(*array, parameter);
   const toml::table* table = node.as_table();
   if (table == nullptr) throw Mistake(forms);
   check_keys(*table);

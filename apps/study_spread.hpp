@@ -3,7 +3,6 @@
 
 #include <toml++/toml.h>
 
-#include <string>
 #include <string_view>
 
 #include "apps/study.hpp"
@@ -15,7 +14,7 @@ namespace app {
 
 /// Read a list [1, 2, 3], equal steps {from, to, steps} or a range {low, high} into the parameter, whose
 /// fields are known, and try each value on all of them.
-/// @param folder  that paths are relative to.   @throws Mistake.
-void read_values(const toml::node& node, const std::string& folder, StudyParameter& parameter);
+/// @throws Mistake.
+void read_values(const toml::node& node, StudyParameter& parameter);
 
 }  // namespace app

@@ -58,10 +58,8 @@ TableColumn parameter_column(const StudyPlan& plan, std::size_t i, const std::ve
   if (is_number(parameter))
     return column<double>(parameter.name, unit_of(parameter), meaning, members,
                           [&](const Member& member) { return number_of(parameter, member.values[i]); });
-  return column<std::string>(parameter.name, "1", meaning, members, [&](const Member& member) {
-    const auto* text = std::get_if<std::string>(&member.values[i].data);
-    return text != nullptr ? *text : toml_text(member.values[i]);
-  });
+  return column<std::string>(parameter.name, "1", meaning, members,
+                             [&](const Member& member) { return text_of(parameter, member.values[i]); });
 }
 
 std::vector<TableColumn> first_columns(const std::vector<Member>& members) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 
@@ -50,6 +51,15 @@ Value value_at_place(const StudyParameter& parameter, double u) {
   }
   const auto count = static_cast<double>(parameter.levels.size());
   return parameter.levels[std::min(parameter.levels.size() - 1, static_cast<std::size_t>(u * count))];
+}
+
+std::string text_of(const StudyParameter& parameter, const Value& value) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text == nullptr) return toml_text(value);
+  const bool is_path = parameter.fields.front().kind == Kind::path && !text->empty();
+  if (!is_path) return *text;
+  const std::filesystem::path folder = parameter.folder.empty() ? "." : parameter.folder;
+  return std::filesystem::path(*text).lexically_proximate(folder).generic_string();
 }
 
 double number_of(const StudyParameter& parameter, const Value& value) {

@@ -25,6 +25,9 @@ namespace app {
 /// to five digits.
 [[nodiscard]] Value value_at_place(const StudyParameter& parameter, double u);
 
+/// A value as the study file writes it, texts without quotes.
+[[nodiscard]] std::string text_of(const StudyParameter& parameter, const Value& value);
+
 /// A value as a number in SI units, where it is one.   @return NaN for words.
 [[nodiscard]] double number_of(const StudyParameter& parameter, const Value& value);
 

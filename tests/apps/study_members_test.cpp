@@ -90,6 +90,22 @@ TEST(StudyMembers, RefusesTheSameRunTwice) {
   }
 }
 
+TEST(StudyMembers, RefusesSeedsThatHaveNoEffect) {
+  const test::TemporaryFolder folder;
+  test::write_small_study(folder / "", "seeds = 2\nseed_of = [\"generate\"]\n");
+  test::write_text(folder / "scene.toml",
+                   "ellipses = [{x = \"20 mm\", y = \"20 mm\", a = \"5 mm\", b = \"5 mm\"}]\n");
+  try {
+    (void)list_members(read_study(folder / "study.toml"));
+    FAIL();
+  } catch (const Rejected& rejected) {
+    EXPECT_THAT(
+        app::text(rejected.complaints.front()),
+        HasSubstr("study.toml:3:11: seed_of: \"generate\", in member 0 (seed 1); has no effect on given "
+                  "ellipses; remove it"));
+  }
+}
+
 TEST(StudyMembers, RefusesAggregatesThatNoSpecimenHas) {
   const test::TemporaryFolder folder;
   const Study study = test::small_study(folder, "[vary]\n\"generate.d_min\" = [\"4 mm\", \"9 mm\"]\n");
@@ -97,7 +113,7 @@ TEST(StudyMembers, RefusesAggregatesThatNoSpecimenHas) {
     (void)list_members(study);
     FAIL();
   } catch (const Rejected& rejected) {
-    EXPECT_THAT(app::text(rejected.complaints.front()), HasSubstr("in member 1 (generate.d_min = \"9 mm\")"));
+    EXPECT_THAT(app::text(rejected.complaints.front()), HasSubstr("in member 1 (generate.d_min = 9 mm)"));
   }
 }
 

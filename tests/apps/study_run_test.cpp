@@ -89,8 +89,29 @@ TEST_F(StudyRun, RefusesScenesThatDoNotGoWithTheSpecimen) {
     FAIL();
   } catch (const Rejected& rejected) {
     EXPECT_THAT(app::text(rejected.complaints.front()),
-                HasSubstr("phases.glass: no such phase, in member 0 (phases.glass.young = \"70 GPa\")"));
+                HasSubstr("phases.glass: no such phase, in member 0 (phases.glass.young = 70 GPa)"));
   }
+}
+
+TEST_F(StudyRun, AMemberThatDivergesIsAFailure) {
+  // Pixels alone in their cells beside a block of mortar bear no such step.
+  std::string picture = "P2\n12 12\n2\n";
+  for (int row = 0; row < 12; ++row)
+    picture += row % 4 == 2 ? "2 2 2 2 2 2 0 2 0 0 0 0\n" : "2 2 2 2 2 2 0 0 0 0 0 0\n";
+  test::write_text(files_ / "a.pgm", picture);
+  test::write_text(
+      files_ / "scene.toml",
+      "[specimen]\npicture = \"a.pgm\"\n[convert]\nmethod = \"labels\"\nlabel_phases = [\"0: void\", "
+      "\"2: mortar\"]\npixel_size = \"1 mm\"\n[phases.mortar]\npoisson = 0.4999\ntensile_scale = "
+      "\"unbreakable\"\n[loading]\nvelocity = \"1 m/s\"\n");
+  test::write_text(files_ / "study.toml", "scene = \"scene.toml\"\n[vary]\n\"solver.cfl\" = [0.4, 1]\n");
+  study_ = read_study(files_ / "study.toml");
+  members_ = list_members(study_);
+  folder_.open(study_, members_, files_ / "study.toml");
+  const StudyTally tally = run_members(study_, folder_, members_, 2, {});
+  EXPECT_EQ(tally.done, 1U);
+  EXPECT_EQ(tally.failed, 1U);
+  EXPECT_THAT(folder_.failure(members_[1]), HasSubstr("step"));
 }
 
 TEST_F(StudyRun, AFailureOfTheFirstMemberLeavesAReport) {

@@ -58,6 +58,18 @@ TEST(StudyValues, WordsAreNoNumbers) {
   EXPECT_FALSE(is_number(parameter("\"loading.platen\" = [\"rough\", \"smooth\"]")));
 }
 
+TEST(StudyValues, ShowThemselvesAsWritten) {
+  const StudyPlan plan = parse_study(
+      "scene = \"a.toml\"\n[vary]\n\"specimen.file\" = [\"cuts/a.h5\", \"../b.h5\"]\n\"solver.cfl\" = "
+      "[0.5]\n",
+      "there/study.toml");
+  const StudyParameter& file = plan.parameters[0];
+  EXPECT_EQ(file.levels[0], words("there/cuts/a.h5"));
+  EXPECT_EQ(text_of(file, file.levels[0]), "cuts/a.h5");
+  EXPECT_EQ(text_of(file, file.levels[1]), "../b.h5");
+  EXPECT_EQ(text_of(plan.parameters[1], plan.parameters[1].levels[0]), "0.5");
+}
+
 TEST(StudyValues, HaveUnitsThatPeopleRead) {
   const StudyParameter stress = parameter("\"phases.itz.cohesion\" = [\"90 MPa\"]");
   EXPECT_EQ(readable_unit(stress).name, "MPa");
