@@ -10,13 +10,13 @@
 #include "apps/calibration_report.hpp"
 #include "apps/calibration_words.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/job.hpp"
 #include "apps/json_text.hpp"
 #include "apps/read_option.hpp"
 #include "apps/run_location.hpp"
 #include "apps/scene_builder.hpp"
 #include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
-#include "apps/specimen_source.hpp"
 #include "apps/terminal_line.hpp"
 #include "libmpm/replace_file.hpp"
 
@@ -60,9 +60,7 @@ void check_loading(const mpm::Scene& scene) {
 }
 
 specimen::Specimen specimen_of(const Settings& settings, Console& console) {
-  Prepared prepared = prepare_specimen(settings);
-  for (std::string& note : crop_to_cells(prepared.specimen, settings.scene.points_per_cell))
-    prepared.notes.push_back(std::move(note));
+  Prepared prepared = prepare_cells(settings);
   for (const std::string& note : prepared.notes) console.say("note: " + note);
   return std::move(prepared.specimen);
 }

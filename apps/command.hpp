@@ -28,9 +28,10 @@ class Command {
   virtual Exit run(Console& console) = 0;
 
  protected:
-  Command(CLI::App& program, const std::string& name, const std::string& description,
+  /// @param parent  the program, or the options of a command that has this one below it.
+  Command(CLI::App& parent, const std::string& name, const std::string& description,
           const std::string& example)
-      : options_(*program.add_subcommand(name, description)) {
+      : options_(*parent.add_subcommand(name, description)) {
     options_.formatter(help_formatter());
     options_.footer(example);
     options_.allow_extras();

@@ -201,6 +201,16 @@ std::vector<Assignment> SettingOptions::assignments() const {
 
 std::shared_ptr<CLI::Formatter> help_formatter() { return std::make_shared<Formatter>(); }
 
+namespace {
+
+/// "mesopix study submit".
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return (parent == nullptr ? "" : full_name(*parent) + " ") + command.get_name();
+}
+
+}  // namespace
+
 void refuse_remaining(const CLI::App& command) {
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
@@ -216,11 +226,11 @@ void refuse_remaining(const CLI::App& command) {
     if (argument.size() > 1 && argument.front() == '-') {
       const std::string name = argument.substr(0, argument.find('='));
       complaints.push_back(complaint(name, "unknown option", did_you_mean(name, known),
-                                     "mesopix " + command.get_name() + " --help lists them"));
+                                     full_name(command) + " --help lists them"));
     }
   if (complaints.empty() && !remaining.empty())
-    complaints.push_back(complaint(remaining.front(), "one argument too many", "",
-                                   "mesopix " + command.get_name() + " --help"));
+    complaints.push_back(
+        complaint(remaining.front(), "one argument too many", "", full_name(command) + " --help"));
   if (!complaints.empty()) throw Rejected(Exit::usage, complaints);
 }
 

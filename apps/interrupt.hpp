@@ -3,8 +3,9 @@
 
 namespace app {
 
-/// While it lives, SIGINT and SIGTERM are only noted; a second SIGINT ends the program at once. Nor does the
-/// program end because nobody reads any more what it says.
+/// While it lives, SIGINT, SIGTERM, and SIGUSR1, by which batch systems tell that time is nearly up, are only
+/// noted; a second SIGINT ends the program at once. Nor does the program end because nobody reads any more
+/// what it says.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -6,6 +6,7 @@
 
 #include "apps/console.hpp"
 #include "apps/settings.hpp"
+#include "apps/specimen_source.hpp"
 #include "libmpm/scene.hpp"
 #include "specimen/specimen.hpp"
 
@@ -18,7 +19,11 @@ struct Job {
   std::vector<std::string> notes;  ///< on the way there, one sentence each
 };
 
-/// The specimen of settled settings, cropped to whole cells, and its scene; notes are said.
+/// The specimen of settled settings, cropped to whole cells, with a note where something was cut.
+/// @throws Rejected, specimen::Error.
+[[nodiscard]] Prepared prepare_cells(const Settings& settings);
+
+/// That specimen and its scene; notes are said.
 /// @throws Rejected, and the errors of the libraries, for what cannot be solved.
 [[nodiscard]] Job prepare_job(Settings settings, Console& console);
 

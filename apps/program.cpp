@@ -17,6 +17,7 @@
 #include "apps/plot_command.hpp"
 #include "apps/report_command.hpp"
 #include "apps/simulate_command.hpp"
+#include "apps/study_command.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/twin_command.hpp"
 #include "apps/version.hpp"
@@ -47,6 +48,7 @@ class Program {
     add<ConvertCommand>();
     add<TwinCommand>();
     add<SimulateCommand>();
+    add<StudyCommand>();
     add<CalibrateCommand>();
     add<InspectCommand>();
     add<ReportCommand>();

@@ -201,6 +201,14 @@ std::string name(Dimension dimension) {
   return {};
 }
 
+std::string si_unit(Dimension dimension) {
+  if (dimension == Dimension::ratio) return "1";
+  const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& unit) {
+    return unit.dimension == dimension && unit.exponent == 0 && unit.factor == 1;
+  });
+  return std::string(found->name);
+}
+
 std::string example(Dimension dimension) {
   switch (dimension) {
     case Dimension::ratio:

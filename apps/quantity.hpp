@@ -13,6 +13,8 @@ enum class Dimension { ratio, length, area, pressure, angle, velocity, density, 
 [[nodiscard]] std::string name(Dimension dimension);     ///< "length"
 [[nodiscard]] std::string example(Dimension dimension);  ///< "0.5 mm"
 
+[[nodiscard]] std::string si_unit(Dimension dimension);  ///< "m"; "1" for ratios
+
 /// "must be a length, e.g. "0.5 mm"".
 [[nodiscard]] std::string must_be(Dimension dimension);
 

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <filesystem>
 
 #include "apps/ellipse_list.hpp"
 #include "apps/text_file.hpp"
-#include "apps/toml_nesting.hpp"
+#include "apps/toml_value.hpp"
 
 namespace app {
 namespace {
@@ -37,9 +36,7 @@ class Walk {
                        [&](const Group& group) { return group.name == name; });
   }
 
-  Place place(const toml::source_region& source) const {
-    return {path_, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
-  }
+  Place place(const toml::source_region& source) const { return place_of(source, path_); }
 
   void complain(const toml::source_region& source, std::string field, std::string value, std::string allowed,
                 std::string cure = {}) {
@@ -85,29 +82,13 @@ class Walk {
   }
 
   void assign(const std::string& key, Kind kind, const toml::node& node) {
-    std::optional<Value> value = to_value(node);
+    std::optional<Value> value = value_of(node);
     if (!value) return complain(node.source(), key, "a table or a date", "must be a single value");
     const std::string written = toml_text(*value);
     if (auto* text = std::get_if<std::string>(&value->data);
         kind == Kind::path && text != nullptr && !text->empty())
       *text = (folder_ / *text).lexically_normal().string();
     scene_.assignments.push_back({key, std::move(*value), place(node.source()), key, written});
-  }
-
-  static std::optional<Value> to_value(const toml::node& node) {
-    if (const auto* boolean = node.as_boolean()) return Value{boolean->get()};
-    if (const auto* integer = node.as_integer()) return Value{integer->get()};
-    if (const auto* number = node.as_floating_point()) return Value{number->get()};
-    if (const auto* text = node.as_string()) return Value{text->get()};
-    const auto* array = node.as_array();
-    if (array == nullptr) return std::nullopt;
-    Value::List items;
-    for (const toml::node& item : *array) {
-      auto value = to_value(item);
-      if (!value) return std::nullopt;
-      items.push_back(std::move(*value));
-    }
-    return Value{std::move(items)};
   }
 
   void ellipses(const toml::node& node) {
@@ -154,7 +135,7 @@ class Walk {
   void read_member(const toml::node& node, const std::string& name, const EllipseColumn& column,
                    specimen::Ellipse& ellipse) {
     const std::string key = name + "." + column.name;
-    const std::optional<Value> value = to_value(node);
+    const std::optional<Value> value = value_of(node);
     if (!value) return complain(node.source(), key, "a table or a date", "must be a single value");
     try {
       ellipse.*column.member = Quantity{column.dimension, {}, {}}.read(*value);
@@ -168,25 +149,14 @@ class Walk {
   SceneFile& scene_;
 };
 
-bool earlier(const Place& a, const Place& b) {
-  return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-}
-
 }  // namespace
 
 SceneFile parse_scene(const std::string& text, const std::string& path) {
   SceneFile scene;
-  check_nesting(text, path);
-  try {
-    Walk(path, scene).root(toml::parse(text, path));
-  } catch (const toml::parse_error& error) {
-    const Place place{path, static_cast<int>(error.source().begin.line),
-                      static_cast<int>(error.source().begin.column)};
-    throw Rejected(Exit::data, {place, "not TOML", std::string(error.description()), "", ""});
-  }
+  Walk(path, scene).root(parse_toml(text, path));
   // The parser keeps its tables in alphabetical order; people read files from top to bottom.
   std::stable_sort(scene.assignments.begin(), scene.assignments.end(),
-                   [](const auto& a, const auto& b) { return earlier(a.place, b.place); });
+                   [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
   return scene;
 }
 
@@ -198,7 +168,7 @@ Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_
   apply(scene.assignments, resolved.settings, complaints);
   resolved.settings.specimen.ellipse_list = scene.ellipse_list;
   std::stable_sort(complaints.begin(), complaints.end(),
-                   [](const auto& a, const auto& b) { return earlier(a.place, b.place); });
+                   [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
   const bool bad_file = !complaints.empty();
   apply(command_line, resolved.settings, complaints);
   for (const auto* given : {&scene.assignments, &command_line})

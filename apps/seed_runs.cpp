@@ -86,14 +86,9 @@ double stress_at(const SeedRun& run, double strain) {
 }
 
 Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure) {
-  Spread spread;
-  const auto count = static_cast<double>(runs.size());
-  for (const SeedRun& run : runs) spread.mean += run.*figure / count;
-  if (runs.size() < 2) return spread;
-  double squares = 0;
-  for (const SeedRun& run : runs) squares += std::pow(run.*figure - spread.mean, 2);
-  spread.deviation = std::sqrt(squares / (count - 1));
-  return spread;
+  std::vector<double> values;
+  for (const SeedRun& run : runs) values.push_back(run.*figure);
+  return spread_of(values);
 }
 
 }  // namespace app

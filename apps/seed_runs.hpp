@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "apps/statistics.hpp"
 #include "libmpm/scene.hpp"
 
 namespace app {
@@ -42,12 +43,7 @@ enum class RunEnd {
 /// @pre the run has a curve.
 [[nodiscard]] double stress_at(const SeedRun& run, double strain);
 
-/// Mean, and standard deviation from one run to another.
-struct Spread {
-  double mean = 0;
-  double deviation = 0;  ///< 0 for a single run
-};
-
+/// Of a figure from one run to another.
 [[nodiscard]] Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure);
 
 }  // namespace app

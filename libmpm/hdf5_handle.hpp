@@ -1,5 +1,5 @@
-/// What the readers and writers of HDF5 files share. Not installed: private to hdf5_*, result_file* and
-/// frame_file*.
+/// What the readers and writers of HDF5 files share. Not installed: private to hdf5_*, result_file*,
+/// frame_file* and table_file*.
 #pragma once
 
 #include <hdf5.h>

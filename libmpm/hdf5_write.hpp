@@ -1,4 +1,5 @@
-/// How datasets, attributes and whole files are written. Not installed: private to result_file*, frame_file*.
+/// How datasets, attributes and whole files are written. Not installed: private to result_file*, frame_file*,
+/// table_file*.
 #pragma once
 
 #include <string>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/reproduce/statistics.hpp"
+#include "apps/statistics.hpp"
 
 namespace app::bench {
 namespace {
@@ -40,7 +40,7 @@ double order_of(const std::vector<Sample>& samples) {
       sizes.push_back(sample.size);
       errors.push_back(sample.error);
     }
-  return sizes.size() < 2 ? unknown : reproduce::power_of(sizes, errors);
+  return sizes.size() < 2 ? unknown : power_of(sizes, errors);
 }
 
 template <class Visit>

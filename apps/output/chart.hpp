@@ -13,6 +13,7 @@ struct Axis {
   std::string label;         ///< "Stress"
   std::string unit;          ///< "MPa"
   bool logarithmic = false;  ///< values that are not positive leave a gap
+  bool tight = false;        ///< reaches as far as the values do, and not to zero
 };
 
 /// A line through points; points that are not finite leave a gap.

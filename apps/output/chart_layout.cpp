@@ -37,7 +37,7 @@ using Values = std::vector<double> Series::*;
 /// Of values along an axis, in its scale: of finite ones, and of zero where the axis has one.
 Range range_of(const Axis& axis, const std::vector<Series>& series, Values values) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Range range = axis.logarithmic ? Range{infinity, -infinity} : Range{};
+  Range range = axis.logarithmic || axis.tight ? Range{infinity, -infinity} : Range{};
   for (const Series& line : series)
     for (const double value : line.*values)
       if (std::isfinite(value)) {
@@ -49,11 +49,11 @@ Range range_of(const Axis& axis, const std::vector<Series>& series, Values value
   return range;
 }
 
-/// With room for a marker's words above the highest point, and round the points of a logarithmic axis.
+/// With room for a marker's words above the highest point, and round the points of an axis without zero.
 Range with_headroom(const Axis& axis, Range range, bool has_words) {
   const double width = range.width();
   range.high += (has_words ? 0.14 : 0.04) * width;
-  if (axis.logarithmic || range.low < 0) range.low -= 0.04 * width;
+  if (axis.logarithmic || axis.tight || range.low < 0) range.low -= 0.04 * width;
   return range;
 }
 
@@ -84,7 +84,7 @@ struct Tick {
 
 /// "10⁻⁵" rather than "1 × 10⁻⁵".
 std::string logarithmic_text(double value) {
-  const std::string text = trimmed(value, 2);
+  const std::string text = trimmed(value, 4);
   const std::string one = "1\u00A0×\u00A0";
   return text.rfind(one, 0) == 0 ? text.substr(one.size()) : text;
 }
@@ -221,7 +221,7 @@ Drawing lay_out(const Chart& in_units, double width, double height) {
   const bool has_words = std::any_of(chart.markers.begin(), chart.markers.end(),
                                      [](const Marker& marker) { return !marker.text.empty(); });
   frame.x = range_of(chart.x, chart.series, &Series::x);
-  if (chart.x.logarithmic) frame.x = with_headroom(chart.x, frame.x, false);
+  if (chart.x.logarithmic || chart.x.tight) frame.x = with_headroom(chart.x, frame.x, false);
   frame.y = with_headroom(chart.y, range_of(chart.y, chart.series, &Series::y), has_words);
   frame.top = (legend.empty() ? line_height : legend.back().at.y) + 0.6 * line_height;
   frame.bottom = height - 5 - 1.1 * text_size - 1.35 * line_height;

@@ -9,13 +9,7 @@ namespace {
 std::string cell(double value) { return exact(value); }
 std::string cell(std::int64_t value) { return std::to_string(value); }
 
-std::string header_of(const mpm::HistoryColumn& column) {
-  std::string name(column.name);
-  if (column.unit == "1") return name;
-  name += '_';
-  for (const char c : column.unit) name += c == '/' ? std::string("_per_") : std::string(1, c);
-  return name;
-}
+std::string header_of(const mpm::HistoryColumn& column) { return column_title(column.name, column.unit); }
 
 /// One line of the table; text_of gives the cell of a column.
 template <class TextOf>
@@ -29,6 +23,14 @@ std::string line(TextOf text_of) {
 }
 
 }  // namespace
+
+std::string column_title(std::string_view name, std::string_view unit) {
+  std::string title(name);
+  if (unit == "1") return title;
+  title += '_';
+  for (const char c : unit) title += c == '/' ? std::string("_per_") : std::string(1, c);
+  return title;
+}
 
 std::string curve_csv(const std::vector<mpm::HistoryRow>& history) {
   std::string csv = line(header_of);

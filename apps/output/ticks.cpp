@@ -50,7 +50,10 @@ std::vector<double> logarithmic_ticks(double low, double high, int at_most) {
       const double value = factor * std::pow(10.0, power);
       if (value >= low * (1 - slack) && value <= high * (1 + slack)) values.push_back(value);
     }
-  if (values.empty()) values.push_back(std::sqrt(low * high));  // less than a factor of two and a half
+  constexpr std::size_t few = 3;
+  if (values.size() >= few) return values;
+  values = ticks_between(low, high, at_most).values;  // less than a decade is almost even
+  if (values.empty()) values.push_back(std::sqrt(low * high));
   return values;
 }
 

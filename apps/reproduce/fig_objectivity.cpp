@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "apps/curve.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/text.hpp"
-#include "apps/reproduce/curve.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/statistics.hpp"
 #include "apps/reproduce/words.hpp"
+#include "apps/statistics.hpp"
 
 namespace app::reproduce {
 namespace {

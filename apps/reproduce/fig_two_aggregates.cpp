@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/curve.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/text.hpp"
 #include "apps/reproduce/crack_place.hpp"
-#include "apps/reproduce/curve.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/gallery.hpp"
 #include "apps/reproduce/words.hpp"

@@ -1,16 +1,16 @@
 // Figure 3: density and distribution of the strengths, measured on the points of a specimen.
 #include <cmath>
 
+#include "apps/curve.hpp"
 #include "apps/output/report_parts.hpp"
 #include "apps/output/run_words.hpp"
 #include "apps/output/text.hpp"
-#include "apps/reproduce/curve.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/statistics.hpp"
-#include "apps/reproduce/weibull_fit.hpp"
 #include "apps/reproduce/words.hpp"
 #include "apps/scene_builder.hpp"
 #include "apps/specimen_source.hpp"
+#include "apps/statistics.hpp"
+#include "apps/weibull_fit.hpp"
 #include "libmpm/strength.hpp"
 
 namespace app::reproduce {

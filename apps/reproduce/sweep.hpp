@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/statistics.hpp"
+#include "apps/statistics.hpp"
 
 namespace app::reproduce {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/statistics.hpp"
+#include "apps/statistics.hpp"
 
 namespace app::reproduce {
 

@@ -87,6 +87,29 @@ code=$?
 [ "$code" -eq 75 ] || fail "a calibration interrupted with exit code $code, not 75: $(cat err)"
 [ ! -d kept ] || exists kept/calibration.json
 
+# A study goes on where it was stopped, and gives the table of one that never was.
+cp "$data/small_tension.toml" .
+printf 'scene = "small_tension.toml"\nseeds = 12\n[vary]\n"loading.velocity" = ["0.02 m/s", "0.1 m/s"]\n' >stopped.toml
+"$mesopix" study stopped.toml 2>err &
+process=$!
+for ((i = 0; i < 500; ++i)); do  # until it has something to lose
+  [ -z "$(ls runs/stopped/members 2>/dev/null)" ] || break
+  sleep 0.02
+done
+kill -TERM "$process"
+wait "$process"
+code=$?
+[ "$code" -eq 75 ] || fail "a study interrupted with exit code $code, not 75: $(cat err)"
+has err "to go on: mesopix study stopped.toml"
+[ ! -e runs/stopped/table.csv ] || fail "a table of a study that was stopped"
+expect 0 study stopped.toml
+grep -q $'\r' err && fail "a progress line where there is no terminal"
+expect 0 study stopped.toml -o whole --jobs 1 -q
+is_empty err
+same runs/stopped/table.csv whole/table.csv
+same runs/stopped/table.h5 whole/table.h5
+python3 -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse("whole/report.html")' || fail "the report is not well formed"
+
 # What is refused, and how.
 expect 64 simulate specimen.h5 -o first
 has err "mesopix: -o: first; is not empty; choose another folder, or add --overwrite"
@@ -108,7 +131,12 @@ if [ -e /dev/full ]; then
 fi
 
 # What lies in data/ is as its README says.
-for scene in "$data"/*.toml; do expect 0 simulate "$scene" --print-scene; done
+for scene in "$data"/*.toml; do
+  case $scene in
+    *_study.toml) expect 0 study "$scene" -q --members 0:2 ;;
+    *) expect 0 simulate "$scene" --print-scene ;;
+  esac
+done
 expect 0 generate --itz-mode none -o fresh.h5
 expect 0 convert fresh_preview.png -o fresh_labels.png
 expect 0 convert "$data/concrete.png" -o concrete_labels.png

@@ -55,13 +55,13 @@ TEST_F(Program, WithoutArgumentsHelpsAndFails) {
 }
 
 TEST_F(Program, RefusesWhatItDoesNotKnow) {
-  expect_refusal(
-      {"simulte"}, Exit::usage,
-      "simulte: unknown command; must be generate, convert, twin, simulate, calibrate, inspect, report, plot "
-      "or export; did you mean simulate?");
+  expect_refusal({"simulte"}, Exit::usage,
+                 "simulte: unknown command; must be generate, convert, twin, simulate, study, calibrate, inspect, "
+                 "report, plot "
+                 "or export; did you mean simulate?");
   expect_refusal(
       {"--json"}, Exit::usage,
-      "--json: is no command; must be generate, convert, twin, simulate, calibrate, inspect, report, "
+      "--json: is no command; must be generate, convert, twin, simulate, study, calibrate, inspect, report, "
       "plot or export; mesopix --help tells what they do");
   expect_refusal({"generate", "--widht", "3 mm"}, Exit::usage,
                  "--widht: unknown option; did you mean --width?; mesopix generate --help lists them");

@@ -16,7 +16,7 @@ may_include = [
     (r"specimen/", r"(specimen|apps|tests)/"),
     (r"libmpm/", r"(libmpm|apps|tests)/"),
     (r"opencv", r"specimen/image_\w+\.[ch]pp$|tests/"),
-    (r"hdf5|H5", r"specimen/specimen_file\w*\.[ch]pp$|libmpm/(hdf5|result_file|frame_file)\w*\.[ch]pp$|tests/"),
+    (r"hdf5|H5", r"specimen/specimen_file\w*\.[ch]pp$|libmpm/(hdf5|result_file|frame_file|table_file)\w*\.[ch]pp$|tests/"),
     (r"toml|CLI/|cairo|nlohmann", r"(apps|tests)/"),
     (r"iostream", r"(apps|tests)/"),
 ]

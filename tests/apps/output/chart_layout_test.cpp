@@ -139,6 +139,20 @@ TEST(ChartLayout, DrawsNegativeValuesBelowZero) {
   EXPECT_GT(line.places[1].y, line.places[0].y);
 }
 
+TEST(ChartLayout, LeavesZeroOutOfATightAxis) {
+  Chart chart{"far from zero", {"x", ""}, {"y", ""}, {{"line", {50, 51}, {100, 102}}}, {}};
+  const auto height = [&] {
+    const Stroke line = data_line(lay_out(chart, 600, 400), Ink::first);
+    return line.places.front().y - line.places.back().y;
+  };
+  EXPECT_LT(height(), 10);
+  chart.y.tight = true;
+  EXPECT_GT(height(), 250);
+  chart.x.tight = true;
+  const Stroke line = data_line(lay_out(chart, 600, 400), Ink::first);
+  EXPECT_GT(line.places.back().x - line.places.front().x, 400);
+}
+
 TEST(ChartLayout, DrawsNoMarkerWithoutAPlace) {
   Chart chart = two_lines();
   chart.markers[0].x = std::nan("");

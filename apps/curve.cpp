@@ -1,10 +1,12 @@
-#include "apps/reproduce/curve.hpp"
+#include "apps/curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace app::reproduce {
+#include "apps/statistics.hpp"
+
+namespace app {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -43,21 +45,16 @@ std::vector<double> even_axis(double end, int count) {
   return axis;
 }
 
-CurveBand band_of(const std::vector<Curve>& curves, const std::vector<double>& axis) {
+CurveBand band_of(const std::vector<Curve>& curves, const std::vector<double>& axis, double tail) {
   CurveBand band;
   for (const double x : axis) {
-    double sum = 0, low = no_number, high = no_number;
-    for (const Curve& curve : curves) {
-      const double y = value_at(curve, x);
-      sum += y;
-      low = std::fmin(low, y);
-      high = std::fmax(high, y);
-    }
-    const double mean = curves.empty() ? no_number : sum / static_cast<double>(curves.size());
+    std::vector<double> values;
+    for (const Curve& curve : curves) values.push_back(value_at(curve, x));
+    const bool reached = !values.empty() && finite_of(values).size() == values.size();
     band.x.push_back(x);
-    band.mean.push_back(mean);
-    band.low.push_back(std::isfinite(mean) ? low : no_number);
-    band.high.push_back(std::isfinite(mean) ? high : no_number);
+    band.mean.push_back(reached ? spread_of(values).mean : no_number);
+    band.low.push_back(reached ? quantile_of(values, tail) : no_number);
+    band.high.push_back(reached ? quantile_of(values, 1 - tail) : no_number);
   }
   return band;
 }
@@ -88,4 +85,4 @@ double drop_ratio(const mpm::Result& result, double share) {
   return no_number;
 }
 
-}  // namespace app::reproduce
+}  // namespace app

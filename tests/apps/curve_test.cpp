@@ -1,15 +1,15 @@
-#include "apps/reproduce/curve.hpp"
+#include "apps/curve.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/apps/reproduce/fake_results.hpp"
+#include "tests/apps/triangle.hpp"
 
 namespace {
 
-using namespace app::reproduce;
+using namespace app;
 using testing::DoubleNear;
 using testing::ElementsAre;
 
@@ -41,6 +41,15 @@ TEST(Curve, BandHoldsMeanAndEnds) {
   EXPECT_TRUE(std::isnan(band.mean[2]));  // the third curve ends before
   EXPECT_TRUE(std::isnan(band.low[2]));
   EXPECT_TRUE(std::isnan(band.high[2]));
+}
+
+TEST(Curve, BandMayLeaveOutTheEnds) {
+  std::vector<Curve> curves;
+  for (int i = 0; i <= 10; ++i) curves.push_back({{0, 1}, {0, 10.0 * i}});
+  const CurveBand band = band_of(curves, {1}, 0.1);
+  EXPECT_DOUBLE_EQ(band.low[0], 10);
+  EXPECT_DOUBLE_EQ(band.high[0], 90);
+  EXPECT_DOUBLE_EQ(band.mean[0], 50);
 }
 
 TEST(Curve, DistanceIsTheMeanAmount) {

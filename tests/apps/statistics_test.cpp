@@ -1,4 +1,4 @@
-#include "apps/reproduce/statistics.hpp"
+#include "apps/statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace app::reproduce;
+using namespace app;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -37,6 +37,18 @@ TEST(Statistics, PowerOfAPowerLaw) {
 TEST(Statistics, ShareWithinIncludesTheEnds) {
   EXPECT_DOUBLE_EQ(share_within({1, 2, 3, 4}, 2, 3), 0.5);
   EXPECT_TRUE(std::isnan(share_within({}, 0, 1)));
+}
+
+TEST(Statistics, EqualValuesShareTheirRank) {
+  EXPECT_NEAR(rank_correlation({1, 1, 2, 2}, {3, 4, 5, 6}), std::sqrt(0.8), 1e-12);  // by hand
+}
+
+TEST(Statistics, QuantilesLieBetweenValues) {
+  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 0), 1);
+  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 1), 4);
+  EXPECT_DOUBLE_EQ(quantile_of({0, 10}, 0.1), 1);
+  EXPECT_TRUE(std::isnan(quantile_of({}, 0.5)));
 }
 
 }  // namespace

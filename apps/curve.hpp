@@ -6,7 +6,7 @@
 
 #include "libmpm/result.hpp"
 
-namespace app::reproduce {
+namespace app {
 
 struct Curve {
   std::vector<double> x;  ///< rising
@@ -29,7 +29,9 @@ struct Curve {
 struct CurveBand {
   std::vector<double> x, mean, low, high;
 };
-[[nodiscard]] CurveBand band_of(const std::vector<Curve>& curves, const std::vector<double>& axis);
+/// @param tail  share of the curves that lies below the band, and above it [-]; 0 = it holds them all.
+[[nodiscard]] CurveBand band_of(const std::vector<Curve>& curves, const std::vector<double>& axis,
+                                double tail = 0);
 
 /// Mean over from <= x <= to of the amount by which the mean of the band is off a reference; where either is
 /// no number does not count. NaN where nothing counts.
@@ -43,4 +45,4 @@ struct CurveBand {
 /// Row of the history at the peak.   @pre a history.
 [[nodiscard]] std::size_t peak_row(const mpm::Result& result);
 
-}  // namespace app::reproduce
+}  // namespace app

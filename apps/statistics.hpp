@@ -1,9 +1,10 @@
-/// Figures about a handful of runs.
+/// Figures about a number of runs.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
-namespace app::reproduce {
+namespace app {
 
 /// Of finite values; NaN where there are none.
 struct Spread {
@@ -15,7 +16,7 @@ struct Spread {
 [[nodiscard]] Spread spread_of(const std::vector<double>& values);
 
 /// Spearman's rank correlation [-], -1 ... 1: 1 = y rises whenever x does. NaN for fewer than two pairs or
-/// where a value is not finite.   @pre x and y have one length; no value occurs twice in x.
+/// where a value is not finite; values that occur twice share their rank.   @pre x and y have one length.
 [[nodiscard]] double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
 
 /// Exponent p of the power law y ~ x^p that fits best in logarithms [-].   @pre positive x, y of one length.
@@ -24,4 +25,11 @@ struct Spread {
 /// Share of the values in [low, high] [-]; NaN for no value.
 [[nodiscard]] double share_within(const std::vector<double>& values, double low, double high);
 
-}  // namespace app::reproduce
+/// Value below which a share p of the values lies, between two of them by a straight line; NaN for none.
+/// Source: Hyndman and Fan (1996), definition 7.   @pre finite values, p in [0, 1].
+[[nodiscard]] double quantile_of(std::vector<double> values, double p);
+
+/// The finite values.
+[[nodiscard]] std::vector<double> finite_of(const std::vector<double>& values);
+
+}  // namespace app

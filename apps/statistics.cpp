@@ -1,10 +1,10 @@
-#include "apps/reproduce/statistics.hpp"
+#include "apps/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace app::reproduce {
+namespace app {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -28,10 +28,12 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
 
 /// Place of each value among all; equal ones share the middle of their places.
 std::vector<double> ranks(const std::vector<double>& values) {
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
   std::vector<double> ranks;
   for (const double value : values) {
-    const auto less = std::count_if(values.begin(), values.end(), [&](double v) { return v < value; });
-    const auto equal = std::count(values.begin(), values.end(), value);
+    const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), value);
+    const auto less = first - sorted.begin(), equal = last - first;
     ranks.push_back(static_cast<double>(less) + 0.5 * static_cast<double>(equal - 1));
   }
   return ranks;
@@ -44,9 +46,7 @@ bool all_finite(const std::vector<double>& values) {
 }  // namespace
 
 Spread spread_of(const std::vector<double>& values) {
-  std::vector<double> finite;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
-               [](double v) { return std::isfinite(v); });
+  const std::vector<double> finite = finite_of(values);
   if (finite.empty()) return {no_number, no_number, no_number, no_number};
   const double mean = mean_of(finite);
   double squares = 0;
@@ -76,4 +76,20 @@ double share_within(const std::vector<double>& values, double low, double high) 
   return values.empty() ? no_number : static_cast<double>(inside) / static_cast<double>(values.size());
 }
 
-}  // namespace app::reproduce
+double quantile_of(std::vector<double> values, double p) {
+  if (values.empty()) return no_number;
+  std::sort(values.begin(), values.end());
+  const double place = p * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+std::vector<double> finite_of(const std::vector<double>& values) {
+  std::vector<double> finite;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
+               [](double v) { return std::isfinite(v); });
+  return finite;
+}
+
+}  // namespace app

@@ -1,0 +1,20 @@
+/// What the members of a study say together, written into its folder and told.
+#pragma once
+
+#include <vector>
+
+#include "apps/console.hpp"
+#include "apps/study_results.hpp"
+
+namespace app {
+
+/// Write tables and report of what has a result, and say the means.
+/// @throws mpm::FileError, specimen::Error (Fault::write) when the disk fails.
+void close_study(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
+                 const StudyResults& results, Console& console);
+
+/// Each of the first failed members with its reason, and where the others are told.
+/// @throws Rejected (Exit::data) when any has failed.
+void refuse_failures(const Study& study, const StudyFolder& folder, const std::vector<Member>& members);
+
+}  // namespace app

@@ -1,0 +1,34 @@
+#include "apps/study_collect_command.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/study_closing.hpp"
+#include "apps/study_results.hpp"
+
+namespace app {
+
+StudyCollectCommand::StudyCollectCommand(CLI::App& study)
+    : Command(
+          study, "collect", "Make tables and report of the members that are done",
+          "Runs nothing. Exit code 75 when members are still open: what is there is written all the same.\n"
+          "Example: mesopix study collect study.toml") {
+  input_.add_to(options());
+}
+
+Exit StudyCollectCommand::run(Console& console) {
+  const OpenStudy open = open_study(input_);
+  const StudyResults results = read_results(open.folder, open.members);
+  const std::size_t missing = results.count(MemberState::open);
+  if (missing == open.members.size())
+    throw Rejected(Exit::data, complaint("study collect", open.folder.path().string(), "has no result yet",
+                                         "mesopix study submit"));
+  close_study(open.folder, open.study, open.members, results, console);
+  if (missing > 0) {
+    console.say(fmt::format("{} of {} members have no result yet", missing, open.members.size()));
+    return Exit::interrupted;
+  }
+  refuse_failures(open.study, open.folder, open.members);
+  return Exit::ok;
+}
+
+}  // namespace app

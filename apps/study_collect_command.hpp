@@ -1,0 +1,18 @@
+/// mesopix study collect: tables and report of a study that ran elsewhere.
+#pragma once
+
+#include "apps/command.hpp"
+#include "apps/study_input.hpp"
+
+namespace app {
+
+class StudyCollectCommand : public Command {
+ public:
+  explicit StudyCollectCommand(CLI::App& study);
+  Exit run(Console& console) override;
+
+ private:
+  StudyInput input_;
+};
+
+}  // namespace app
