@@ -1,13 +1,12 @@
 #include "apps/scene_differences.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <map>
 #include <sstream>
 
 #include "apps/complaint.hpp"
 #include "apps/output/text.hpp"
+#include "apps/toml_value.hpp"
 
 namespace app {
 namespace {
@@ -40,10 +39,12 @@ void collect(const toml::table& table, const std::string& prefix, Values& values
 Values values_of(const std::string& scene) {
   Values values;
   try {
-    collect(toml::parse(scene), "", values);
-  } catch (const toml::parse_error& error) {
-    throw Rejected(Exit::data, complaint("the scene of a run", std::string(error.description()), "",
-                                         "take the run folder as mesopix wrote it"));
+    collect(parse_toml(scene, ""), "", values);
+  } catch (const Rejected& rejected) {
+    Complaint why = rejected.complaints.front();
+    why.place = {};  // of a text that the user has not before him
+    throw Rejected(Exit::data,
+                   complaint("the scene of a run", text(why), "", "take the run folder as mesopix wrote it"));
   }
   return values;
 }

@@ -28,6 +28,10 @@ TEST(SceneDifferences, OfTheSameScenesAreNone) {
 
 TEST(SceneDifferences, RefusesWhatIsNoScene) {
   EXPECT_THROW((void)scene_differences({"[a", "[a]"}), app::Rejected);
+  std::string deep = "a = ";
+  for (int i = 0; i < 100'000; ++i) deep += '[';
+  EXPECT_THROW((void)scene_differences({deep, "[a]"}), app::Rejected)
+      << "a parser that calls itself would crash";
 }
 
 }  // namespace
