@@ -10,14 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_folders(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Rejected(Exit::io,
-                   complaint(folder.string(), error.message(), "must be a folder that can be made"));
-}
-
 fs::path first_free(const fs::path& base) {
   make_folders(base.parent_path());
   fs::path folder = base;
@@ -33,6 +25,14 @@ fs::path first_free(const fs::path& base) {
 }
 
 }  // namespace
+
+void make_folders(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Rejected(Exit::io,
+                   complaint(folder.string(), error.message(), "must be a folder that can be made"));
+}
 
 fs::path make_run_folder(const fs::path& wanted, const fs::path& stem, bool overwrite) {
   const fs::path folder = wanted.empty() ? fs::path("runs") / stem : wanted;

@@ -7,6 +7,9 @@
 
 namespace app {
 
+/// Make a folder, and those that it lies in, where they are missing.   @throws Rejected (Exit::io).
+void make_folders(const std::filesystem::path& folder);
+
 /// Creates the folder of a run: `wanted`, or runs/STEM, runs/STEM-2, ... when it is empty.
 /// @throws Rejected (Exit::usage) when `wanted` is taken and may not be overwritten, (Exit::io) when it
 /// cannot be made.

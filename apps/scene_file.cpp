@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "apps/ellipse_list.hpp"
+#include "apps/study_file.hpp"
 #include "apps/text_file.hpp"
 #include "apps/toml_value.hpp"
 
@@ -50,7 +51,8 @@ class Walk {
   void unknown(const toml::key& key, const std::string& name) {
     if (is_full()) return;  // a suggestion takes its time
     if (is_group(name)) return complain(key.source(), name, "must be a table", "write [" + name + "]");
-    complain(key.source(), name, "unknown key", suggest_key(name, Settings()));
+    complain(key.source(), name, "unknown key",
+             is_study_key(name) ? "is of a study, which mesopix study runs" : suggest_key(name, Settings()));
   }
 
   void phases(const toml::table& table) {

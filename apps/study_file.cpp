@@ -278,6 +278,12 @@ const std::vector<FieldOf<StudyPlan>>& study_fields() {
   return all;
 }
 
+bool is_study_key(std::string_view key) {
+  const auto& fields = study_fields();
+  return key == vary || (key != "title" && std::any_of(fields.begin(), fields.end(),
+                                                       [&](const auto& f) { return f.key == key; }));
+}
+
 StudyPlan parse_study(const std::string& text, const std::string& path) {
   return Walk(path).read(parse_toml(text, path));
 }

@@ -13,6 +13,9 @@ namespace app {
 /// Keys of a study file beside its table [vary].
 [[nodiscard]] const std::vector<FieldOf<StudyPlan>>& study_fields();
 
+/// Whether a key stands in study files, and in no scene.
+[[nodiscard]] bool is_study_key(std::string_view key);
+
 /// The plan that a text says, with what it leaves out filled in but for the default of seed_of, which needs
 /// the scene.   @param path  for the messages and the folder that paths are relative to.
 /// @throws Rejected (Exit::data) with every complaint.

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "apps/output/text.hpp"
+#include "apps/run_location.hpp"
 #include "apps/scene_differences.hpp"
 #include "apps/study_file.hpp"
 #include "apps/study_values.hpp"
@@ -20,14 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_differences = 5;
-
-void make(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Rejected(Exit::io,
-                   complaint(folder.string(), error.message(), "must be a folder that can be made"));
-}
 
 bool is_there(const fs::path& path) {
   std::error_code error;
@@ -93,8 +86,8 @@ void StudyFolder::open(const Study& study, const std::vector<Member>& members,
       throw Rejected(Exit::usage, complaint("-o", path_.string() + " holds another study",
                                             differences_text(kept, given), cure_of(before, study)));
   }
-  make(path_ / "members");
-  make(path_ / "failures");
+  make_folders(path_ / "members");
+  make_folders(path_ / "failures");
   if (kept.scene != given.scene) mpm::replace_file(file("scene.toml").string(), given.scene);
   if (kept.study != given.study) mpm::replace_file(file("study.toml").string(), given.study);
 }

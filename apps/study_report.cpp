@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "apps/energy_note.hpp"
 #include "apps/job.hpp"
 #include "apps/output/html.hpp"
 #include "apps/output/load_words.hpp"
@@ -57,6 +58,22 @@ std::string failures_section(const StudyRecord& record) {
   return section("Failures", html + "<ul class=\"notes\">\n" + list + "</ul>\n");
 }
 
+/// What a run of its own would have been noted for, of the worst member.
+std::string notes_section(const StudyRecord& record) {
+  const auto error = [&](const Member& member) {
+    const MemberOutcome& outcome = record.results.outcomes[member.number];
+    return outcome.state == MemberState::done ? outcome.figures.energy_error : 0;
+  };
+  const auto worst = std::max_element(record.members.begin(), record.members.end(),
+                                      [&](const Member& a, const Member& b) { return error(a) < error(b); });
+  if (!(error(*worst) > 0)) return "";
+  const std::string note = energy_note(record.results.outcomes[worst->number].figures,
+                                       member_settings(record.study, *worst).scene);
+  if (note.empty()) return "";
+  return section("Notes", paragraph("The energies of " + name_of(record.study, *worst) + " are the worst: " +
+                                    note + ". Those of all members stand in table.csv."));
+}
+
 std::string cracks_section(const StudyRecord& record) {
   if (!has_crack_picture(record)) return "";
   const std::string png =
@@ -85,6 +102,7 @@ std::string study_html(const StudyRecord& record, const std::string& study_toml)
                       header(record) + peaks_section(record) + weibull_section(record) +
                           convergence_section(record) + curves_section(record) + cracks_section(record) +
                           sensitivity_section(record) + size_section(record) + failures_section(record) +
+                          notes_section(record) +
                           section("Study", output::folded("The study file", study_toml)));
 }
 

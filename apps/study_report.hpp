@@ -12,7 +12,7 @@ namespace app {
 [[nodiscard]] bool has_crack_picture(const StudyRecord& record);
 
 /// A section each for what there is: peaks, Weibull plot, convergence, curves, cracks, sensitivities, size
-/// effect, failures, the study itself.
+/// effect, failures, notes, the study itself.
 /// @param study_toml  the study file.
 [[nodiscard]] std::string study_html(const StudyRecord& record, const std::string& study_toml);
 

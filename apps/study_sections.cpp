@@ -44,7 +44,8 @@ output::StrainUnit unit_of(const StudyRecord& record) {
 
 std::vector<double> strains(const StudyRecord& record) {
   std::vector<double> values = finite_of(record.results.peak_strain());
-  for (double& value : values) value *= unit_of(record).per_strain;
+  const double per_strain = unit_of(record).per_strain;
+  for (double& value : values) value *= per_strain;
   return values;
 }
 
@@ -158,7 +159,8 @@ std::string shape_text(const WeibullFit& fit, double distance) {
   const double critical = critical_distance(fit.count);
   return fmt::format(
       "The largest distance between the members and the line is {} (Kolmogorov and Smirnov); {} members of "
-      "the distribution exceed {} in 5 of 100 cases, and fewer where it was fitted to them. So the peaks {}.",
+      "the distribution exceed {} in 5 of 100 cases, and fewer where it was fitted to them. So the peaks {}. "
+      "Errors are standard errors.",
       rounded(distance, 2), fit.count, rounded(critical, 2),
       distance < critical ? "may well follow it" : "do not follow it");
 }
@@ -178,8 +180,7 @@ std::string weibull_section(const StudyRecord& record) {
   const double distance =
       largest_distance(values, [&](double x) { return weibull_distribution(x, fit.scale, fit.modulus); });
   const std::string facts = output::facts_table(
-      {{"Weibull modulus, its standard error",
-        rounded(fit.modulus) + " ± " + rounded(fit.modulus * fit.modulus_error(), 2)},
+      {{"Weibull modulus", rounded(fit.modulus) + " ± " + rounded(fit.modulus * fit.modulus_error(), 2)},
        {"Scale", rounded(fit.scale, 4), "MPa"},
        {"5 % of the members are below", rounded(fit.quantile(0.05), 4), "MPa"},
        {"Standard error of that", "± " + rounded(fit.quantile(0.05) * fit.log_error(0.05), 2), "MPa"}});

@@ -33,7 +33,7 @@ def keep(picture, name, colours=256):
 
 
 class Browser:
-    def __init__(self, address, width, height, dark=False):
+    def __init__(self, address, width, height, dark=False, alive=True):
         options = webdriver.ChromeOptions()
         options.binary_location = "/usr/bin/chromium"
         for argument in ("--headless=new", "--no-sandbox", "--hide-scrollbars", f"--window-size={width},{height}"):
@@ -46,7 +46,8 @@ class Browser:
             self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia",
                                         {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
         self.driver.get(address)
-        self.wait("document.documentElement.dataset.alive")
+        if alive:  # the page has a script
+            self.wait("document.documentElement.dataset.alive")
 
     def wait(self, condition):
         while not self.driver.execute_script("return " + condition):
@@ -104,6 +105,13 @@ def comparison(here):
     browser.driver.quit()
 
 
+def study(here):
+    run(mesopix, "study", data / "tension_study.toml", "--until-ci", "1 %", "-q", "-o", here / "study")
+    browser = Browser((here / "study/report.html").as_uri(), 1100, 1330, alive=False)
+    keep(browser.picture(), "study", 64)
+    browser.driver.quit()
+
+
 def damage(here):
     run(mesopix, "plot", here / "run", "--at", "110%peak", "-o", here / "damage.png")
     keep(Image.open(here / "damage.png").reduce(2), "damage", 32)
@@ -158,7 +166,7 @@ run("Quit");
     keep(Image.open(here / "imagej.png"), "imagej")
 
 
-pictures = {one.__name__: one for one in (report, phone, live, comparison, damage, stress, paraview, imagej)}
+pictures = {one.__name__: one for one in (report, phone, live, comparison, study, damage, stress, paraview, imagej)}
 wanted = sys.argv[2:] or list(pictures)
 for name in wanted:
     if name not in pictures:

@@ -91,6 +91,13 @@ TEST(SceneFile, NamesPlaceValueAndCureOfEveryMistakeAtOnce) {
           "dir/scene.toml:10:2: loadng: unknown key; did you mean loading?"));
 }
 
+TEST(SceneFile, TellsAStudyFromAScene) {
+  EXPECT_THAT(complaints_about("seeds = 3\n[vary]\n"),
+              testing::UnorderedElementsAre(
+                  "dir/scene.toml:1:1: seeds: unknown key; is of a study, which mesopix study runs",
+                  "dir/scene.toml:2:2: vary: unknown key; is of a study, which mesopix study runs"));
+}
+
 TEST(SceneFile, RefusesWrongTypes) {
   EXPECT_THAT(complaints_about("loading = 3"),
               ElementsAre("dir/scene.toml:1:1: loading: must be a table; write [loading]"));

@@ -89,6 +89,15 @@ TEST_F(StudySections, SizesHaveALawThatMayNotFit) {
   EXPECT_TRUE(varies_pixels(study_.plan));
 }
 
+TEST_F(StudySections, TellsOfEnergiesThatAreOff) {
+  const StudyRecord off = record("seeds = 12\n", [](const Member&) { return 3e6; });
+  results_.outcomes[4].figures.energy_error = 0.005;
+  EXPECT_THAT(study_html(off, ""), Not(HasSubstr("Notes")));
+  results_.outcomes[7].figures.energy_error = 0.05;
+  EXPECT_THAT(study_html(off, ""), HasSubstr("The energies of member 7 (seed 8) are the worst: the ledger of "
+                                             "energies is off by 5 % of the platen work"));
+}
+
 TEST_F(StudySections, TellsOfFailuresAndOfNothingElseWhenAllFailed) {
   StudyRecord failed = record("seeds = 12\n", [](const Member&) { return 3e6; });
   for (MemberOutcome& outcome : results_.outcomes) outcome = {MemberState::failed, "it <broke>", {}, {}};
