@@ -69,7 +69,8 @@ TEST_F(Hdf5Heap, TooSmallForItsObjectsIsRefused) {
 
 /// Its letters may as well stand in the data by chance, so that the heap itself is no fault.
 TEST_F(Hdf5Heap, LargerThanItsFileIsLeftToHdf5WhichRefusesIt) {
-  for (const std::uint64_t size : {std::uint64_t{0}, std::uint64_t{good_.size()}, ~std::uint64_t{0}})
+  for (const std::uint64_t size :
+       {std::uint64_t{0}, std::uint64_t{good_.size()}, std::uint64_t{2 * good_.size()}})
     EXPECT_THAT(verdict(size_of_heap, size), HasSubstr("attribute format cannot be read")) << size;
 }
 
