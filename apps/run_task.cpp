@@ -11,6 +11,7 @@
 #include "apps/checkpoint_folder.hpp"
 #include "apps/energy_note.hpp"
 #include "apps/frame_folder.hpp"
+#include "apps/json_text.hpp"
 #include "apps/live/live_view.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/output/run_words.hpp"
@@ -215,7 +216,7 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   if (view) view->finish(outcome.result, last_words(outcome, task.folder, lost));
   if (!outcome.interrupted() && lost.empty()) keeper.remove();
   if (task.json)
-    console.out << summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    console.out << json_text(summary(record));
   else
     console.say(result_text(outcome.result, job.scene));
   if (!estimate.sources.empty()) console.say(estimate_text(estimate));

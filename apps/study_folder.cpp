@@ -7,6 +7,7 @@
 #include <set>
 #include <system_error>
 
+#include "apps/json_text.hpp"
 #include "apps/output/text.hpp"
 #include "apps/run_location.hpp"
 #include "apps/scene_differences.hpp"
@@ -115,7 +116,7 @@ void StudyFolder::write_failure(const Study& study, const Member& member, const 
   for (std::size_t i = 0; i < member.values.size(); ++i)
     json["values"][study.plan.parameters[i].name] = text_of(study.plan.parameters[i], member.values[i]);
   mpm::replace_file(failure_file(member).string(),
-                    json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+                    json_text(json));
 }
 
 std::string StudyFolder::failure(const Member& member) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/json_text.hpp"
 #include "apps/slurm_queue.hpp"
 
 namespace app {
@@ -73,7 +74,7 @@ Exit StudyStatusCommand::run(Console& console) {
   const Count members = count(study);
   const std::vector<Job> jobs = jobs_of(study);
   if (json_) {
-    console.out << json_of(members, jobs).dump(2) << '\n';
+    console.out << json_text(json_of(members, jobs));
     return Exit::ok;
   }
   console.out << fmt::format("{}: {} members: {} done, {} failed, {} begun, {} open\n",

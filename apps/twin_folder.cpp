@@ -5,6 +5,7 @@
 #include <set>
 
 #include "apps/complaint.hpp"
+#include "apps/json_text.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/specimen_output.hpp"
 #include "apps/twin_json.hpp"
@@ -56,7 +57,7 @@ TwinStatistics write_twin_statistics(const fs::path& folder, const TwinTask& tas
   for (std::string& note : twin_notes(task, twins)) statistics.notes.push_back(std::move(note));
   auto json = twins_json(task, twins, statistics.misfit);
   json["notes"] = statistics.notes;
-  statistics.json = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  statistics.json = json_text(json);
   remove_other_twins(folder, twins);
   (void)write_specimen_output((folder / "original.h5").string(), task.original);
   const auto write = [&](const char* name, const std::string& text) {
