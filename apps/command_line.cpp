@@ -206,7 +206,8 @@ namespace {
 /// "mesopix study submit".
 std::string full_name(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
-  return (parent == nullptr ? "" : full_name(*parent) + " ") + command.get_name();
+  const bool below_another = parent != nullptr && parent->get_parent() != nullptr;
+  return (below_another ? full_name(*parent) : "mesopix") + " " + command.get_name();
 }
 
 }  // namespace

@@ -115,8 +115,7 @@ void StudyFolder::write_failure(const Study& study, const Member& member, const 
   json["values"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < member.values.size(); ++i)
     json["values"][study.plan.parameters[i].name] = text_of(study.plan.parameters[i], member.values[i]);
-  mpm::replace_file(failure_file(member).string(),
-                    json_text(json));
+  mpm::replace_file(failure_file(member).string(), json_text(json));
 }
 
 std::string StudyFolder::failure(const Member& member) const {

@@ -55,10 +55,11 @@ TEST_F(Program, WithoutArgumentsHelpsAndFails) {
 }
 
 TEST_F(Program, RefusesWhatItDoesNotKnow) {
-  expect_refusal({"simulte"}, Exit::usage,
-                 "simulte: unknown command; must be generate, convert, twin, simulate, study, calibrate, inspect, "
-                 "report, plot "
-                 "or export; did you mean simulate?");
+  expect_refusal(
+      {"simulte"}, Exit::usage,
+      "simulte: unknown command; must be generate, convert, twin, simulate, study, calibrate, inspect, "
+      "report, plot "
+      "or export; did you mean simulate?");
   expect_refusal(
       {"--json"}, Exit::usage,
       "--json: is no command; must be generate, convert, twin, simulate, study, calibrate, inspect, report, "

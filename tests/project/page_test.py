@@ -5,7 +5,7 @@ Usage: page_test.py SOURCE_DIR PAGE BIN_DIR WORK_DIR
 All ```sh blocks are run, in their order and in one shell, but for those under the line <!-- not run as a test: WHY -->;
 of these, each command must at least be there: a script of ours, or the program and its options. Every picture and page
 that is linked to must be there too."""
-import os, re, shlex, shutil, subprocess, sys
+import itertools, os, re, shlex, shutil, subprocess, sys
 from pathlib import Path
 
 source, page, programs, work = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3]), Path(sys.argv[4])
@@ -17,9 +17,10 @@ excused = "".join(commands for excuse, commands in blocks if excuse)
 for line in filter(None, (re.sub("#.*", "", line).strip() for line in excused.splitlines())):
     command, *words = shlex.split(line)
     if command == "mesopix":
-        known = subprocess.run([programs / "mesopix", words[0], "--help"], capture_output=True, text=True, check=True).stdout
+        names = list(itertools.takewhile(lambda word: not word.startswith("-"), words))[:2]  # the second may be an argument
+        known = subprocess.run([programs / "mesopix", *names, "--help"], capture_output=True, text=True, check=True).stdout
         for word in words:
-            assert not word.startswith("--") or word in known, f"{page}: mesopix {words[0]} knows no {word}"
+            assert not word.startswith("--") or word.split("=")[0] in known, f"{page}: mesopix {words[0]} knows no {word}"
     elif command.startswith("./"):
         assert os.access(source / command, os.X_OK), f"{page}: {command} cannot be run"
 
