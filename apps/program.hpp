@@ -9,7 +9,7 @@
 #include "apps/complaint.hpp"
 #include "apps/console.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): a library's own
 class App;
 }
 
