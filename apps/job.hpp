@@ -6,6 +6,7 @@
 
 #include "apps/console.hpp"
 #include "apps/settings.hpp"
+#include "apps/specimen_source.hpp"
 #include "libmpm/scene.hpp"
 #include "specimen/specimen.hpp"
 
@@ -18,8 +19,18 @@ struct Job {
   std::vector<std::string> notes;  ///< on the way there, one sentence each
 };
 
-/// The specimen of settled settings, cropped to whole cells, and its scene; notes are said.
+/// The specimen of settled settings, cropped to whole cells, with a note where something was cut.
+/// @throws Rejected, specimen::Error.
+[[nodiscard]] Prepared prepare_cells(const Settings& settings);
+
+/// The same of a specimen that is there already.   @throws Rejected when nothing is left.
+[[nodiscard]] Prepared fit_to_cells(Prepared prepared, const Settings& settings);
+
+/// A specimen of whole cells and its scene.
 /// @throws Rejected, and the errors of the libraries, for what cannot be solved.
+[[nodiscard]] Job make_job(Settings settings, Prepared cells);
+
+/// Both in one; notes are said.
 [[nodiscard]] Job prepare_job(Settings settings, Console& console);
 
 }  // namespace app

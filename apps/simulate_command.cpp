@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "apps/explanation.hpp"
+#include "apps/input.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/output/text.hpp"
 #include "apps/read_option.hpp"
 #include "apps/resumption.hpp"
 #include "apps/run_location.hpp"
-#include "apps/scene_file.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/solving.hpp"
 #include "apps/specimen_source.hpp"
@@ -32,34 +32,15 @@ constexpr const char* footer =
     "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
     "a scene.";
 
-Resolved resolve_input(const std::string& input, std::vector<Assignment> given) {
-  const InputKind kind = kind_of_input(input);
-  if (kind == InputKind::folder)
-    throw Rejected(Exit::usage,
-                   complaint("INPUT", input, "is a folder; must be a specimen, a scene or a picture"));
-  if (kind == InputKind::scene) return resolve(read_scene_file(input), given);
-  const char* key = kind == InputKind::hdf5 ? "specimen.file" : "specimen.picture";
-  given.insert(given.begin(), given_as_option(key, Kind::path, "INPUT", input));
-  return resolve({}, given);
-}
-
-/// Gives the scene the rate, step and precision that the tolerance asks for.   @return their error.
+/// Gives the job the rate, step and precision that the tolerance asks for.   @return their error.
 output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
   const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
-  for (mpm::Scene* scene : {&job.scene, &job.settings.scene}) {
-    scene->loading.velocity = found.scene.loading.velocity;
-    scene->cfl = found.scene.cfl;
-    scene->precision = found.scene.precision;
-  }
+  adopt(found, tolerance, job);
   console.say(
       fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision, found in {:.2f} s",
                   output::trimmed(100 * tolerance) + " %", found.met ? "met" : "not met",
                   output::trimmed(found.scene.loading.velocity, 4), output::trimmed(found.scene.cfl, 4),
                   found.scene.precision == mpm::Precision::single ? "single" : "double", found.wall_time));
-  if (!found.met)
-    job.notes.push_back(
-        "the tolerance of " + output::trimmed(100 * tolerance) +
-        " % was not met: where points fail, another order of failures changes the peak as much");
   return found.estimate;
 }
 
@@ -67,9 +48,7 @@ output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const I
 
 SimulateCommand::SimulateCommand(CLI::App& program)
     : Command(program, "simulate", "Break a specimen, and write what happened into a folder", footer),
-      settings_(options(), {{"phases", "loading", "damage", "solver", "motion", "handover", "output"},
-                            {"specimen", "generate", "convert", "itz"},
-                            {}}) {
+      settings_(options(), offer_of_simulate()) {
   options().add_option("[INPUT]", input_, "specimen.h5, scene.toml or picture")->type_name("");
   options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
@@ -163,7 +142,7 @@ Exit SimulateCommand::begin(Console& console) {
   RunRemarks remarks;
   remarks.estimate_error = estimate_error_;
   remarks.checkpoint_every = checkpoint_every().value_or(0);
-  Resolved resolved = resolve_input(input_, settings_.assignments());
+  Resolved resolved = resolve_run(input_, settings_.assignments());
   console.origins = resolved.origins;
   Settings& settings = resolved.settings;
   settle_source(settings);
