@@ -1,5 +1,5 @@
 """Arrays show memory of C++: none is copied, none can be written, each keeps its owner alive."""
-import gc, unittest
+import gc, unittest, weakref
 import numpy as np
 import mesopix, samples
 
@@ -53,9 +53,22 @@ class Views(unittest.TestCase):
         np.testing.assert_array_equal(labels, copy)
         self.assertEqual(len(others), 5)
 
-    def test_die_with_the_last_of_them(self):
-        stress = self.result.curve.stress
-        self.assertIs(stress.base.base if isinstance(stress.base, np.ndarray) else stress.base, self.result)
+    def test_know_their_owner(self):
+        specimen = samples.specimen()
+        self.assertIs(specimen.labels.base, specimen)
+        self.assertIs(self.result.failure_strain.base, self.result)
+        self.assertIs(self.result.history.base, self.result)
+
+    def test_let_go_of_their_owner_with_the_last_of_them(self):
+        views = self.views()
+        owner = weakref.ref(self.result)
+        del self.result
+        gc.collect()
+        self.assertIsNotNone(owner())
+        for name in list(views):
+            del views[name]
+        gc.collect()
+        self.assertIsNone(owner())
 
 
 if __name__ == "__main__":
