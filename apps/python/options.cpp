@@ -1,6 +1,7 @@
 #include "apps/python/options.hpp"
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "apps/quantity.hpp"
@@ -55,7 +56,7 @@ bool is_list(py::handle value) {
 /// Numbers are in SI units, which a scene has to write behind them.
 app::Value with_unit(const app::Field& field, app::Value value) {
   if (!field.measure || field.measure->dimension == app::Dimension::ratio) return value;
-  double number = NAN;
+  double number = std::numeric_limits<double>::quiet_NaN();
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) number = static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value.data)) number = *real;
   if (!std::isfinite(number)) return value;
