@@ -34,16 +34,17 @@ py::object as_tuple(const app::Complaint& complaint) {
                                      complaint.value, complaint.allowed, complaint.cure);
 }
 
-void set_error(const app::Rejected& refusal) {
-  if (refusal.code == app::Exit::internal) {
-    PyErr_SetString(PyExc_RuntimeError, refusal.what());
-    return;
-  }
+py::object exception_of(const app::Rejected& refusal) {
+  if (refusal.code == app::Exit::internal)
+    return py::reinterpret_borrow<py::object>(PyExc_RuntimeError)(refusal.what());
   py::list complaints;
   for (const app::Complaint& complaint : refusal.complaints)
     complaints.append(as_tuple(in_python(complaint)));
-  const py::object type = exception_type(refusal.code == app::Exit::io ? "FileError" : "Error");
-  PyErr_SetObject(type.ptr(), type(*complaints).ptr());
+  return exception_type(refusal.code == app::Exit::io ? "FileError" : "Error")(*complaints);
+}
+
+void set_error(const py::object& exception) {
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
 }
 
 }  // namespace
@@ -53,14 +54,20 @@ void translate_refusals() {
     try {
       if (exception) std::rethrow_exception(exception);
     } catch (const app::Rejected& refusal) {
-      set_error(refusal);
+      set_error(exception_of(refusal));
     }
   });
 }
 
 void raise_with(const char* name, const std::string& text, const py::object& result) {
-  const py::object type = exception_type(name);
-  PyErr_SetObject(type.ptr(), type(text, result).ptr());
+  set_error(exception_type(name)(text, result));
+  throw py::error_already_set();
+}
+
+void raise_with(const app::Rejected& refusal, const py::object& result) {
+  const py::object exception = exception_of(refusal);
+  exception.attr("result") = result;
+  set_error(exception);
   throw py::error_already_set();
 }
 

@@ -37,4 +37,7 @@ void translate_refusals();
 /// Raise mesopix.NAME(text, result): Diverged or Interrupted.
 [[noreturn]] void raise_with(const char* name, const std::string& text, const py::object& result);
 
+/// Raise what a refusal becomes, with what was computed as .result.
+[[noreturn]] void raise_with(const app::Rejected& refusal, const py::object& result);
+
 }  // namespace binding

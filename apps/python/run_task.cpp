@@ -40,8 +40,8 @@ class Task {
     std::optional<app::FrameFolder> frames;
     if (folder) frames.emplace(folder->path(), run_->job.scene);
     solve(frames ? &*frames : nullptr);
-    if (folder) write(folder->path(), *run_);
-    conclude(frames ? frames->failure() : std::nullopt);
+    if (folder) keep(folder->path(), *frames);
+    conclude();
     return run_;
   }
 
@@ -113,13 +113,23 @@ class Task {
     run_->result = std::move(outcome.result);
   }
 
+  /// Write the folder; what the disk did not take is no reason to lose the result.
+  void keep(const fs::path& folder, const app::FrameFolder& frames) {
+    try {
+      write(folder, *run_);
+      if (const auto failure = frames.failure()) throw mpm::FileError(*failure);
+    } catch (const mpm::FileError&) {
+      lost_ = app::refusal_of(std::current_exception(), {});
+    }
+  }
+
   /// Raise what has gone wrong, now that all is kept.
-  void conclude(const std::optional<mpm::FileError>& frames) const {
+  void conclude() const {
     spectator_.rethrow();
     if (spectator_.interrupted())
       raise_with("Interrupted", "interrupted; what was computed is in .result", py::cast(run_));
+    if (lost_) raise_with(*lost_, py::cast(run_));
     if (!divergence_.empty()) raise_with("Diverged", divergence_, py::cast(run_));
-    if (frames) throw mpm::FileError(*frames);
   }
 
   const Wanted& wanted_;
@@ -127,6 +137,7 @@ class Task {
   Spectator spectator_;
   std::shared_ptr<Run> run_ = std::make_shared<Run>();
   std::string divergence_;
+  std::optional<app::Rejected> lost_;  ///< files of the folder
 };
 
 app::Origins with_output(app::Origins origins) {

@@ -201,6 +201,17 @@ class Watched(unittest.TestCase):
         self.assertGreater(len(raised.exception.result.history), 0)
         self.assertEqual(raised.exception.result.notes[-1], str(raised.exception))
 
+    def test_a_folder_that_cannot_be_written_loses_no_result(self):
+        def progress(p):
+            if os.path.isdir("run"):
+                os.rmdir("run")
+                open("run", "w").close()
+
+        with samples.empty_folder():
+            with self.assertRaisesRegex(mesopix.FileError, "^run: cannot be created: ") as raised:
+                samples.run(output="run", progress=progress)
+            np.testing.assert_array_equal(raised.exception.result.curve.stress, samples.run().curve.stress)
+
     def test_runs_side_by_side_are_the_same_as_one_by_one(self):
         specimen = samples.specimen()
         settings = dict(velocity=0.2, stop_strain=3e-4, threads=1)

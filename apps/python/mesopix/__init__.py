@@ -101,7 +101,7 @@ def simulate(
     on meanwhile. Runs side by side want threads=1, each; the result does not depend on it.
 
     Raises Error for what cannot be solved, Diverged with what was computed as .result where the physics goes wrong, and
-    FileError when the disk fails.
+    FileError, with the result too where it was computed, when the disk fails.
 
         result = mesopix.simulate(specimen, {"mortar.tensile_scale": "12 MPa"}, velocity="0.1 m/s", seed=3)
     """

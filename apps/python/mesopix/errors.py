@@ -59,6 +59,7 @@ class FileError(OSError):
         super().__init__()
         self.args = complaints
         self.complaints: tuple[Complaint, ...] = complaints  #: a file each, one at least
+        self.result: Result | None = None  #: of a run whose folder the disk did not take whole
 
     def __str__(self) -> str:
         return "\n".join(complaint.text for complaint in self.complaints)
