@@ -88,7 +88,7 @@ nlohmann::ordered_json figures(const Body& body) { return app::specimen_json(*bo
 
 std::string representation(const Body& body) {
   std::string text = app::specimen_text(figures(body));
-  text = text.substr(0, text.find('\n'));
+  text.resize(text.find('\n'));
   const std::vector<std::int64_t> counts = specimen::count_labels(body.specimen->mask);
   const std::vector<double> shares = specimen::fractions(body.specimen->mask);
   for (std::size_t label = 0; label < counts.size(); ++label)
