@@ -5,20 +5,15 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/attempts.hpp"
+#include "apps/calibration_folder.hpp"
 #include "apps/calibration_json.hpp"
-#include "apps/calibration_report.hpp"
 #include "apps/calibration_words.hpp"
+#include "apps/input.hpp"
 #include "apps/interrupt.hpp"
-#include "apps/job.hpp"
 #include "apps/json_text.hpp"
-#include "apps/read_option.hpp"
 #include "apps/run_location.hpp"
-#include "apps/scene_builder.hpp"
-#include "apps/scene_file.hpp"
-#include "apps/scene_text.hpp"
+#include "apps/specimen_source.hpp"
 #include "apps/terminal_line.hpp"
-#include "libmpm/replace_file.hpp"
 
 namespace app {
 namespace {
@@ -45,26 +40,6 @@ constexpr const char* footer =
     "mortar\n"
     "  mesopix calibrate data/two_aggregates.toml --peak-stress \"1.75 MPa\" --peak-strain 75e-6";
 
-Resolved resolve_scene(const std::string& input, const std::vector<Assignment>& given) {
-  if (kind_of_input(input) != InputKind::scene)
-    throw Rejected(Exit::usage, complaint("SCENE", input, "must be a scene, scene.toml",
-                                          "mesopix simulate INPUT --print-scene writes one"));
-  return resolve(read_scene_file(input), given);
-}
-
-void check_loading(const mpm::Scene& scene) {
-  if (scene.loading.direction != mpm::Direction::none) return;
-  throw Rejected(Exit::data, complaint("loading.direction", "none",
-                                       "must be tension or compression: a peak is that of a "
-                                       "stress-strain curve between platens"));
-}
-
-specimen::Specimen specimen_of(const Settings& settings, Console& console) {
-  Prepared prepared = prepare_cells(settings);
-  for (const std::string& note : prepared.notes) console.say("note: " + note);
-  return std::move(prepared.specimen);
-}
-
 Calibration fit(const CalibrationTask& task, Console& console) {
   const InterruptGuard guard;
   TerminalLine line(console.err, console.err_is_terminal && !console.quiet);
@@ -72,20 +47,6 @@ Calibration fit(const CalibrationTask& task, Console& console) {
   return calibrate(
       task, [&] { return guard.interrupted(); },
       [&](const Calibration& so_far) { line.show(evaluation_text(task, so_far)); });
-}
-
-/// Every file is tried, whatever became of the others.   @return what the disk did not take.
-Attempts write_calibration(const fs::path& folder, const CalibrationTask& task,
-                           const Calibration& calibration) {
-  const std::string toml = scene_text(calibration.settings, Extent::whole, folder);
-  Attempts attempt;
-  const auto write = [&](const char* name, const std::string& text) {
-    attempt([&] { mpm::replace_file((folder / name).string(), text); });
-  };
-  write("scene.toml", toml);
-  write("calibration.json", json_text(calibration_json(task, calibration)));
-  write("report.html", calibration_html(task, calibration, "Calibration: " + task.settings.title, toml));
-  return attempt;
 }
 
 /// @throws Rejected when the target was not met.
@@ -104,31 +65,28 @@ Exit exit_of(const CalibrationTask& task, const Calibration& calibration, const 
 
 CalibrateCommand::CalibrateCommand(CLI::App& program)
     : Command(program, "calibrate", "Fit parameters of a scene to a measured peak or curve", footer),
-      settings_(options(), {{"phases"},
-                            {"specimen", "generate", "convert", "itz", "loading", "damage", "solver",
-                             "motion", "handover", "output"},
-                            {}}) {
+      settings_(options(), offer_of_calibrate()) {
   options().add_option("SCENE", input_, "scene.toml, where the search begins")->type_name("");
   options()
-      .add_option("--peak-stress", peak_stress_, "to be met by the mean of the seeds")
+      .add_option("--peak-stress", wish_.peak_stress, "to be met by the mean of the seeds")
       ->type_name("PRESSURE");
   options()
-      .add_option("--peak-strain", peak_strain_,
+      .add_option("--peak-strain", wish_.peak_strain,
                   "strain of the platens at that stress, 75e-6 or \"75 microstrain\"")
       ->type_name("NUMBER");
   options()
-      .add_option("--target", curve_, "whole curve to be met, in place of a peak")
+      .add_option("--target", wish_.curve, "whole curve to be met, in place of a peak")
       ->type_name("CURVE.csv");
-  options().add_option("--free", free_, "what may change, see below")->type_name("PARAMETER,...");
+  options().add_option("--free", wish_.free, "what may change, see below")->type_name("PARAMETER,...");
   options()
-      .add_option("--seeds", seeds_,
+      .add_option("--seeds", wish_.seeds,
                   "runs of each set of parameters, with damage.seed and those after it [4]")
       ->type_name("N");
   options()
-      .add_option("--tolerance", tolerance_, "misfit at which the search ends [0.5 %]")
+      .add_option("--tolerance", wish_.tolerance, "misfit at which the search ends [0.5 %]")
       ->type_name("NUMBER");
   options()
-      .add_option("--max-evaluations", evaluations_, "sets of parameters to try at most [100]")
+      .add_option("--max-evaluations", wish_.evaluations, "sets of parameters to try at most [100]")
       ->type_name("N");
   options().add_option("-o,--output", output_, "folder [runs/SCENE-calibration, ...]")->type_name("DIR");
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
@@ -140,52 +98,19 @@ std::vector<std::string> CalibrateCommand::prepare(const std::vector<std::string
   return settings_.take_phase_options(arguments);
 }
 
-Target CalibrateCommand::read_target() const {
-  const bool peak = !peak_stress_.empty() || !peak_strain_.empty();
-  if (peak == !curve_.empty())
-    throw Rejected(Exit::usage,
-                   complaint("--target", peak ? "given beside a peak" : "no target is given",
-                             "a target is --peak-stress, --peak-strain or both, or --target CURVE.csv"));
-  Target target;
-  if (!curve_.empty()) target.curve = read_target_curve(curve_);
-  if (!peak_stress_.empty())
-    target.peak_stress =
-        read_option("--peak-stress", peak_stress_, Quantity{Dimension::pressure, above(0), {}});
-  if (!peak_strain_.empty())
-    target.peak_strain =
-        read_option("--peak-strain", peak_strain_, Quantity{Dimension::ratio, inside(0, 1), {}});
-  return target;
-}
-
-void CalibrateCommand::read_numbers(CalibrationTask& task) const {
-  task.seeds = read_option("--seeds", seeds_, Integer<>{{between(1, 1000), {}}});
-  task.evaluations = read_option("--max-evaluations", evaluations_, Integer<>{{between(1, 100000), {}}});
-  task.tolerance = read_option("--tolerance", tolerance_, Quantity{Dimension::ratio, inside(0, 1), {}});
-}
-
-std::string CalibrateCommand::wanted_free(const Target& target) const {
-  if (!free_.empty()) return free_;
-  if (!target.curve.empty()) return "tensile_scale,young,weibull_modulus";
-  if (!target.peak_strain) return "tensile_scale";
-  return target.peak_stress ? "tensile_scale,young" : "young";
-}
-
 Exit CalibrateCommand::run(Console& console) {
   console.quiet = quiet_;
   if (input_.empty())
     throw Rejected(Exit::usage, complaint("SCENE", "missing", "", "mesopix calibrate SCENE"));
-  const Target target = read_target();
+  Target target = read_target(wish_);
   Resolved resolved = resolve_scene(input_, settings_.assignments());
   console.origins = resolved.origins;
   Settings& settings = resolved.settings;
   check_loading(settings.scene);
   settle_source(settings);
   if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
-  const specimen::Specimen specimen = specimen_of(settings, console);
-  const mpm::Scene scene = build_scene(specimen, settings);
-  mpm::validate(scene);
-  CalibrationTask task{settings, specimen, target, parse_free(wanted_free(target), settings, scene)};
-  read_numbers(task);
+  const Job job = prepare_job(std::move(settings), console);
+  const CalibrationTask task = make_task(job, std::move(target), wish_);
   const FreshFolder folder(
       make_run_folder(output_, fs::path(input_).stem().string() + "-calibration", overwrite_));
   const Calibration calibration = fit(task, console);

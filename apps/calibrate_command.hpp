@@ -1,7 +1,7 @@
 /// mesopix calibrate: fit parameters of a scene to a measured peak or curve.
 #pragma once
 
-#include "apps/calibration.hpp"
+#include "apps/calibration_wish.hpp"
 #include "apps/command.hpp"
 
 namespace app {
@@ -13,19 +13,9 @@ class CalibrateCommand : public Command {
   Exit run(Console& console) override;
 
  private:
-  [[nodiscard]] Target read_target() const;
-  void read_numbers(CalibrationTask& task) const;
-  [[nodiscard]] std::string wanted_free(const Target& target) const;
-
   SettingOptions settings_;
   std::string input_;
-  std::string curve_;
-  std::string peak_stress_;
-  std::string peak_strain_;
-  std::string free_;
-  std::string seeds_ = "4";
-  std::string tolerance_ = "0.5 %";
-  std::string evaluations_ = "100";
+  CalibrationWish wish_;
   std::string output_;
   bool overwrite_ = false;
   bool json_ = false;

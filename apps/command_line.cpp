@@ -8,23 +8,8 @@
 namespace app {
 namespace {
 
-std::string with_dashes(std::string text) {
-  std::replace(text.begin(), text.end(), '_', '-');
-  return text;
-}
-
-std::string with_underscores(std::string text) {
-  std::replace(text.begin(), text.end(), '-', '_');
-  return text;
-}
-
 bool among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool is_group(const std::string& name) {
-  return std::any_of(groups().begin(), groups().end(),
-                     [&](const Group& group) { return group.name == name; });
 }
 
 /// A default as the help shows it; settings that have none give an empty text.
@@ -49,18 +34,6 @@ std::optional<LongOption> long_option(const std::string& argument) {
   const std::size_t equals = argument.find('=');
   if (equals == std::string::npos) return LongOption{argument.substr(2), std::nullopt};
   return LongOption{argument.substr(2, equals - 2), argument.substr(equals + 1)};
-}
-
-/// "phases.mortar.young" of the option "mortar.young" or "phases.mortar.young"; empty for other options.
-std::string phase_key(const std::string& option) {
-  const std::size_t dot = option.rfind('.');
-  if (dot == std::string::npos) return {};
-  std::string phase = option.substr(0, dot);
-  if (phase.rfind("phases.", 0) == 0) phase = phase.substr(7);
-  const std::string property = with_underscores(option.substr(dot + 1));
-  if (is_group(phase) && find_field(phase + "." + property)) return {};
-  const std::string key = "phases." + phase + "." + property;
-  return find_field(key) ? key : std::string();
 }
 
 /// An option with one value whose text is read after parsing.
@@ -108,15 +81,11 @@ class Formatter : public CLI::Formatter {
 
 }  // namespace
 
-std::string short_option(const Group& group, const Field& field) {
-  return group.option_prefix + with_dashes(leaf_of(field.key));
-}
-
 SettingOptions::SettingOptions(CLI::App& app, Offer offer) : offer_(std::move(offer)) {
   set_ = add_text_option(app, "--set", "any setting by its key in scene files");
   set_->type_name("KEY=VALUE")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   for (const Group& group : groups()) {
-    if (among(offer_.own, group.name)) add_group(app, group, true);
+    if (offer_.is_own(group.name)) add_group(app, group, true);
     if (among(offer_.others, group.name)) add_group(app, group, false);
   }
 }
@@ -124,7 +93,7 @@ SettingOptions::SettingOptions(CLI::App& app, Offer offer) : offer_(std::move(of
 void SettingOptions::add_group(CLI::App& app, const Group& group, bool in_help) {
   if (group.name == "phases" && in_help) add_phase_help(app, group);
   for (const Field& field : fields())
-    if (group_of(field.key) == group.name && offers(field.key)) add_field(app, group, field, in_help);
+    if (group_of(field.key) == group.name && offer_.has(field.key)) add_field(app, group, field, in_help);
 }
 
 void SettingOptions::add_field(CLI::App& app, const Group& group, const Field& field, bool in_help) {
@@ -146,11 +115,6 @@ void SettingOptions::add_phase_help(CLI::App& app, const Group& group) {
         ->group(group.title + " (PHASE = aggregate, mortar, itz, or one of your own)");
 }
 
-bool SettingOptions::offers(const std::string& key) const {
-  const std::string group = group_of(key);
-  return (among(offer_.own, group) || among(offer_.others, group)) && !among(offer_.hidden, key);
-}
-
 std::vector<std::string> SettingOptions::take_phase_options(const std::vector<std::string>& arguments) {
   std::vector<std::string> rest;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -159,7 +123,7 @@ std::vector<std::string> SettingOptions::take_phase_options(const std::vector<st
       rest.push_back(arguments[i]);
       continue;
     }
-    const std::string key = among(offer_.own, "phases") ? phase_key(option->name) : "";
+    const std::string key = offer_.is_own("phases") ? phase_key(option->name) : "";
     if (key.empty()) {
       rest.push_back("--" + with_dashes(option->name) + (option->value ? "=" + *option->value : ""));
       continue;
@@ -181,7 +145,8 @@ Assignment SettingOptions::from_set(const std::string& text) const {
   const auto field = find_field(key);
   if (!field)
     throw Rejected(Exit::usage, complaint("--set " + key, "unknown key", suggest_key(key, Settings())));
-  if (!offers(key)) throw Rejected(Exit::usage, complaint("--set " + key, "has no effect here", "remove it"));
+  if (!offer_.has(key))
+    throw Rejected(Exit::usage, complaint("--set " + key, "has no effect here", "remove it"));
   return given_as_option(key, field->kind, "--set " + key, value);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/assignment.hpp"
+#include "apps/offer.hpp"
 
 namespace app {
 
@@ -19,12 +20,6 @@ namespace app {
 /// --set KEY=VALUE does the same for any key. In names of options - and _ are the same.
 class SettingOptions {
  public:
-  struct Offer {
-    std::vector<std::string> own;     ///< groups whose settings stand in the help
-    std::vector<std::string> others;  ///< groups whose settings are understood
-    std::vector<std::string> hidden;  ///< keys of these groups that the subcommand does not offer
-  };
-
   SettingOptions(CLI::App& app, Offer offer);
 
   /// Takes the options of phases out of the arguments of the subcommand (their names are the user's, so they
@@ -43,7 +38,6 @@ class SettingOptions {
   void add_group(CLI::App& app, const Group& group, bool in_help);
   void add_field(CLI::App& app, const Group& group, const Field& field, bool in_help);
   void add_phase_help(CLI::App& app, const Group& group);
-  [[nodiscard]] bool offers(const std::string& key) const;
   [[nodiscard]] Assignment from_set(const std::string& text) const;
 
   Offer offer_;
@@ -51,9 +45,6 @@ class SettingOptions {
   CLI::Option* set_ = nullptr;
   std::vector<Assignment> phases_;
 };
-
-/// "velocity" or "itz-mode": the short name of a setting, without dashes before it.
-[[nodiscard]] std::string short_option(const Group& group, const Field& field);
 
 /// Help in the words of the schema: first name of an option, its type, its default.
 [[nodiscard]] std::shared_ptr<CLI::Formatter> help_formatter();

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/scene_file.hpp"
+#include "apps/input.hpp"
 #include "apps/specimen_output.hpp"
 #include "apps/specimen_report.hpp"
 #include "apps/specimen_source.hpp"
@@ -18,19 +18,6 @@ namespace {
 constexpr const char* footer =
     "Example: a photograph that is 150 mm wide, cut into 300 columns of pixels\n"
     "  mesopix convert photo.jpg --width \"150 mm\" --pixels 300 -o specimen.h5";
-
-/// Scene of the input: a scene file, or just the picture.
-Resolved resolve_input(const std::string& input, std::vector<Assignment> given) {
-  if (kind_of_input(input) == InputKind::scene) return resolve(read_scene_file(input), given);
-  given.insert(given.begin(), given_as_option("specimen.picture", Kind::path, "PICTURE", input));
-  return resolve({}, given);
-}
-
-void require_picture(const std::string& input, const Resolved& resolved) {
-  if (source_of(resolved.settings) == Source::picture) return;
-  throw Rejected(Exit::data, complaint(input, "has no specimen.picture", "convert needs a picture",
-                                       "use mesopix generate for ellipses"));
-}
 
 /// Intersection over union with a label picture, phase by phase: how well the segmentation does, before
 /// rings.
@@ -56,7 +43,7 @@ nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specime
 
 ConvertCommand::ConvertCommand(CLI::App& program)
     : Command(program, "convert", "Turn a picture into a specimen", footer),
-      settings_(options(), {{"convert", "itz"}, {}, {}}) {
+      settings_(options(), offer_of_convert()) {
   options()
       .add_option("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one")
       ->type_name("");
@@ -79,9 +66,8 @@ Exit ConvertCommand::run(Console& console) {
   console.quiet = quiet_;
   if (input_.empty())
     throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix convert PICTURE"));
-  Resolved resolved = resolve_input(input_, settings_.assignments());
+  Resolved resolved = resolve_picture(input_, settings_.assignments());
   console.origins = resolved.origins;
-  require_picture(input_, resolved);
   settle_source(resolved.settings);
   const std::string picture = resolved.settings.specimen.picture;
   const std::string output =

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "apps/scene_file.hpp"
+#include "apps/input.hpp"
 #include "apps/specimen_output.hpp"
 #include "apps/specimen_report.hpp"
 #include "apps/specimen_source.hpp"
@@ -18,23 +18,11 @@ constexpr const char* footer =
     "then\n"
     "  mesopix simulate specimen.h5";
 
-void refuse_other_source(const Resolved& resolved) {
-  const Source source = source_of(resolved.settings);
-  if (source != Source::file && source != Source::picture) return;
-  const bool picture = source == Source::picture;
-  throw Rejected(Exit::data, locate(resolved.origins,
-                                    complaint(picture ? "specimen.picture" : "specimen.file", "given",
-                                              "generate draws ellipses",
-                                              picture ? "use mesopix convert" : "it is a specimen already")));
-}
-
 }  // namespace
 
 GenerateCommand::GenerateCommand(CLI::App& program)
     : Command(program, "generate", "Draw random or listed ellipses as a specimen", footer),
-      settings_(
-          options(),
-          {{"specimen", "generate", "itz"}, {}, {"specimen.file", "specimen.picture", "specimen.sha256"}}) {
+      settings_(options(), offer_of_generate()) {
   options().add_option("[SCENE]", scene_, "scene.toml whose specimen to draw")->type_name("");
   options()
       .add_option("-o,--output", output_,
@@ -51,10 +39,8 @@ std::vector<std::string> GenerateCommand::prepare(const std::vector<std::string>
 Exit GenerateCommand::run(Console& console) {
   console.quiet = quiet_;
   check_output(output_, scene_);
-  const SceneFile scene = scene_.empty() ? SceneFile() : read_scene_file(scene_);
-  Resolved resolved = resolve(scene, settings_.assignments());
+  Resolved resolved = resolve_ellipses(scene_, settings_.assignments());
   console.origins = resolved.origins;
-  refuse_other_source(resolved);
   settle_source(resolved.settings);
   const Prepared prepared = prepare_specimen(resolved.settings);
   const bool random = source_of(resolved.settings) == Source::generated;

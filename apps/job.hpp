@@ -23,8 +23,14 @@ struct Job {
 /// @throws Rejected, specimen::Error.
 [[nodiscard]] Prepared prepare_cells(const Settings& settings);
 
-/// That specimen and its scene; notes are said.
+/// The same of a specimen that is there already.   @throws Rejected when nothing is left.
+[[nodiscard]] Prepared fit_to_cells(Prepared prepared, const Settings& settings);
+
+/// A specimen of whole cells and its scene.
 /// @throws Rejected, and the errors of the libraries, for what cannot be solved.
+[[nodiscard]] Job make_job(Settings settings, Prepared cells);
+
+/// Both in one; notes are said.
 [[nodiscard]] Job prepare_job(Settings settings, Console& console);
 
 }  // namespace app

@@ -4,10 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <new>
 
-#include "apps/attempts.hpp"
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
@@ -15,14 +12,13 @@
 #include "apps/generate_command.hpp"
 #include "apps/inspect_command.hpp"
 #include "apps/plot_command.hpp"
+#include "apps/refusal.hpp"
 #include "apps/report_command.hpp"
 #include "apps/simulate_command.hpp"
 #include "apps/study_command.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/twin_command.hpp"
 #include "apps/version.hpp"
-#include "libmpm/error.hpp"
-#include "specimen/error.hpp"
 
 namespace app {
 namespace {
@@ -111,21 +107,17 @@ class Program {
   std::vector<std::unique_ptr<Command>> commands_;
 };
 
-Exit refuse(Console& console, Exit code, const std::vector<Complaint>& complaints) {
+Exit refuse(Console& console, const Rejected& refusal) {
   constexpr std::size_t told = 20;
+  const std::vector<Complaint>& complaints = refusal.complaints;
   for (std::size_t i = 0; i < std::min(told, complaints.size()); ++i)
-    console.err << "mesopix: " << text(locate(console.origins, complaints[i])) << '\n';
+    console.err << "mesopix: " << text(complaints[i]) << '\n';
   if (complaints.size() > told)
     console.err << fmt::format("mesopix: and {}{} more\n",
                                complaints.size() < most_complaints ? "" : "at least ",
                                complaints.size() - told);
   console.err << std::flush;
-  return code;
-}
-
-template <class Error>
-Complaint complaint_of(const Error& error) {
-  return complaint(error.field, error.value, error.allowed, error.cure);
+  return refusal.code;
 }
 
 Exit run_and_flush(const std::vector<std::string>& arguments, Console& console, const MoreCommands& more) {
@@ -139,28 +131,10 @@ Exit run_and_flush(const std::vector<std::string>& arguments, Console& console, 
 Exit run_program(const std::vector<std::string>& arguments, Console& console, const MoreCommands& more) {
   try {
     return run_and_flush(arguments, console, more);
-  } catch (const Rejected& rejected) {
-    return refuse(console, rejected.code, rejected.complaints);
   } catch (const CLI::ParseError& error) {
-    return refuse(console, Exit::usage, {complaint(error.what(), "", "", "mesopix --help")});
-  } catch (const specimen::Error& error) {
-    return refuse(console, error.fault == specimen::Fault::write ? Exit::io : Exit::data,
-                  {complaint_of(error)});
-  } catch (const NotWritten& missing) {
-    std::vector<Complaint> complaints;
-    for (const mpm::FileError& file : missing.files) complaints.push_back(complaint_of(file));
-    return refuse(console, Exit::io, complaints);
-  } catch (const mpm::FileError& error) {
-    return refuse(console, Exit::io, {complaint_of(error)});
-  } catch (const mpm::Error& error) {
-    return refuse(console, Exit::data, {complaint_of(error)});
-  } catch (const std::filesystem::filesystem_error& error) {
-    return refuse(console, Exit::io, {complaint("", error.what(), "")});
-  } catch (const std::bad_alloc&) {
-    return refuse(console, Exit::data, {complaint("memory", "not enough", "", "use fewer, larger pixels")});
-  } catch (const std::exception& error) {
-    return refuse(console, Exit::internal,
-                  {complaint("internal error", error.what(), "", "please report it")});
+    return refuse(console, {Exit::usage, complaint(error.what(), "", "", "mesopix --help")});
+  } catch (const std::exception&) {
+    return refuse(console, refusal_of(std::current_exception(), console.origins));
   }
 }
 

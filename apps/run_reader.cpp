@@ -9,7 +9,7 @@
 namespace app {
 
 RunRecord ReadRun::record() const {
-  return {specimen, scene, result, scene_toml, specimen::sha256_of_text(scene_toml), title, {}};
+  return {specimen, scene, result, scene_toml, specimen::sha256_of_text(scene_toml), settings.title, {}};
 }
 
 ReadRun read_run(const std::string& folder) {
@@ -20,9 +20,8 @@ ReadRun read_run(const std::string& folder) {
   run.result = read_result(file("result.h5"));
   run.specimen = read_specimen(file("specimen.h5"));
   run.scene_toml = read_scene_text(file("result.h5"));
-  const Settings settings = resolve(parse_scene(run.scene_toml, file("scene.toml")), {}).settings;
-  run.scene = build_scene(run.specimen, settings);
-  run.title = settings.title;
+  run.settings = resolve(parse_scene(run.scene_toml, file("scene.toml")), {}).settings;
+  run.scene = build_scene(run.specimen, run.settings);
   const bool fits =
       run.result.failure_strain.size() == 0 || (run.result.failure_strain.rows() == run.scene.labels.rows() &&
                                                 run.result.failure_strain.cols() == run.scene.labels.cols());

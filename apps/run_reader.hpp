@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "apps/run_folder.hpp"
+#include "apps/settings.hpp"
 
 namespace app {
 
@@ -13,7 +14,7 @@ struct ReadRun {
   mpm::Scene scene;
   mpm::Result result;
   std::string scene_toml;
-  std::string title;
+  Settings settings;  ///< of the scene, paths in it relative to where the program is
 
   [[nodiscard]] RunRecord record() const;
 };

@@ -9,7 +9,6 @@
 
 #include "apps/attempts.hpp"
 #include "apps/checkpoint_folder.hpp"
-#include "apps/energy_note.hpp"
 #include "apps/frame_folder.hpp"
 #include "apps/json_text.hpp"
 #include "apps/live/live_view.hpp"
@@ -95,34 +94,15 @@ std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {
                      result.tension_failures, result.shear_failures, result.steps, result.wall_time);
 }
 
-/// Of a run that came to its end; without sources where a second run did not, which is noted.
-output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, Console& console,
-                                  const InterruptGuard& guard) {
-  if (!outcome.divergence.empty() || outcome.interrupted()) return {};
-  try {
-    return estimate_error(job.scene, outcome.result, second_run(console, guard));
-  } catch (const NoEstimate& failed) {
-    job.notes.push_back("there is no estimate of the error: " + failed.why);
-    console.say("note: " + job.notes.back());
-    return {};
-  }
+/// Notes that have come since there were `told` of them.
+void say_notes(const Job& job, std::size_t told, Console& console) {
+  for (std::size_t i = told; i < job.notes.size(); ++i) console.say("note: " + job.notes[i]);
 }
 
-/// What the run itself leaves to be noted.
 void note_outcome(const Outcome& outcome, Job& job, Console& console) {
-  if (!outcome.divergence.empty()) {
-    job.notes.push_back(outcome.divergence);
-    return;
-  }
-  if (outcome.result.nothing_carries) {
-    job.notes.push_back("nothing carries load any more: every point has failed; the run ended at strain " +
-                        strain_text(outcome.result.history.back().strain));
-    console.say("note: " + job.notes.back());
-  }
-  if (const std::string note = energy_note(outcome.result, job.scene); !note.empty()) {
-    job.notes.push_back(note);
-    const bool expected = job.scene.kinematics != mpm::Kinematics::small_strain;
-    console.say((expected ? "note: " : "warning: ") + note);
+  for (const Remark& remark : remarks_on(outcome, job.scene)) {
+    job.notes.push_back(remark.text);
+    if (*remark.kind != '\0') console.say(std::string(remark.kind) + ": " + remark.text);
   }
 }
 
@@ -207,8 +187,11 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   const Outcome outcome =
       solve(job.scene, console, guard, std::move(hooks), task.from ? &*task.from : nullptr);
   keeper.report(outcome.result.wall_time, console);
-  const output::ErrorEstimate estimate =
-      task.remarks.estimate_error ? estimate_of(outcome, job, console, guard) : task.remarks.tolerated;
+  const std::size_t told = job.notes.size();
+  const output::ErrorEstimate estimate = task.remarks.estimate_error
+                                             ? estimate_of(outcome, job, second_run(console, guard))
+                                             : task.remarks.tolerated;
+  say_notes(job, told, console);
   note_outcome(outcome, job, console);
   const RunRecord record{job.specimen, job.scene,          outcome.result, task.scene_toml,
                          hash,         job.settings.title, job.notes,      estimate};

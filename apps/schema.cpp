@@ -53,7 +53,7 @@ bool is_of_curve(std::string_view key) {
 std::string why_group_unused(const std::string& group, Source source) {
   const bool loaded = source == Source::file;
   if (loaded && (group == "generate" || group == "convert" || group == "itz"))
-    return "has no effect on a specimen that is read from a file";
+    return "has no effect on a specimen that is there already";
   if (group == "generate" && source == Source::picture) return "has no effect on a picture";
   if (group == "generate" && source == Source::ellipses) return "has no effect on given ellipses";
   if (group == "convert" && source != Source::picture) return "has an effect on pictures only";

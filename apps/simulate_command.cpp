@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "apps/explanation.hpp"
+#include "apps/input.hpp"
 #include "apps/json_text.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/output/text.hpp"
@@ -15,7 +16,6 @@
 #include "apps/run_location.hpp"
 #include "apps/scene_text.hpp"
 #include "apps/solving.hpp"
-#include "apps/specimen_input.hpp"
 #include "apps/specimen_source.hpp"
 
 namespace app {
@@ -33,23 +33,15 @@ constexpr const char* footer =
     "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
     "a scene.";
 
-/// Gives the scene the rate, step and precision that the tolerance asks for.   @return their error.
+/// Gives the job the rate, step and precision that the tolerance asks for.   @return their error.
 output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
   const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
-  for (mpm::Scene* scene : {&job.scene, &job.settings.scene}) {
-    scene->loading.velocity = found.scene.loading.velocity;
-    scene->cfl = found.scene.cfl;
-    scene->precision = found.scene.precision;
-  }
+  adopt(found, tolerance, job);
   console.say(
       fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision, found in {:.2f} s",
                   output::trimmed(100 * tolerance) + " %", found.met ? "met" : "not met",
                   output::trimmed(found.scene.loading.velocity, 4), output::trimmed(found.scene.cfl, 4),
                   found.scene.precision == mpm::Precision::single ? "single" : "double", found.wall_time));
-  if (!found.met)
-    job.notes.push_back(
-        "the tolerance of " + output::trimmed(100 * tolerance) +
-        " % was not met: where points fail, another order of failures changes the peak as much");
   return found.estimate;
 }
 
@@ -57,9 +49,7 @@ output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const I
 
 SimulateCommand::SimulateCommand(CLI::App& program)
     : Command(program, "simulate", "Break a specimen, and write what happened into a folder", footer),
-      settings_(options(), {{"phases", "loading", "damage", "solver", "motion", "handover", "output"},
-                            {"specimen", "generate", "convert", "itz"},
-                            {}}) {
+      settings_(options(), offer_of_simulate()) {
   options().add_option("[INPUT]", input_, "specimen.h5, scene.toml or picture")->type_name("");
   options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");

@@ -49,9 +49,8 @@ specimen::ItzOptions itz_for(const specimen::LabelledMask& mask, specimen::ItzOp
   return options;
 }
 
-Prepared convert(const Settings& settings) {
+Prepared with_rings(specimen::Converted converted, const Settings& settings) {
   const fs::path picture = settings.specimen.picture;
-  specimen::Converted converted = specimen::convert_picture(picture.string(), settings.convert);
   Prepared prepared;
   prepared.notes = std::move(converted.report.notes);
   prepared.segmentation = converted.segmented.mask;
@@ -83,6 +82,10 @@ void settle_source(Settings& settings) {
   if (!choice.picture.empty()) pin(choice.picture, choice.sha256);
 }
 
+Prepared prepare_specimen(specimen::Picture picture, const Settings& settings) {
+  return with_rings(specimen::convert_picture(std::move(picture), settings.convert), settings);
+}
+
 Prepared prepare_specimen(const Settings& settings) {
   switch (source_of(settings)) {
     case Source::generated:
@@ -90,7 +93,7 @@ Prepared prepare_specimen(const Settings& settings) {
     case Source::ellipses:
       return draw(settings, settings.specimen.ellipse_list, provenance(settings, "ellipse list", fs::path()));
     case Source::picture:
-      return convert(settings);
+      return with_rings(specimen::convert_picture(settings.specimen.picture, settings.convert), settings);
     case Source::file:
       return {read_specimen(settings.specimen.file), {}, {}};
   }

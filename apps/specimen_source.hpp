@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/settings.hpp"
+#include "specimen/picture.hpp"
 #include "specimen/specimen.hpp"
 
 namespace app {
@@ -22,5 +23,9 @@ struct Prepared {
 
 /// Generate, draw, convert or read the specimen of settled settings.   @throws specimen::Error, Rejected.
 [[nodiscard]] Prepared prepare_specimen(const Settings& settings);
+
+/// Convert a picture that is there already; specimen.picture and specimen.sha256 of the settings tell what it
+/// is called, and the SHA-256 of its pixels.   @throws specimen::Error.
+[[nodiscard]] Prepared prepare_specimen(specimen::Picture picture, const Settings& settings);
 
 }  // namespace app

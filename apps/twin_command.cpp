@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
+#include "apps/input.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/read_option.hpp"
 #include "apps/run_location.hpp"
-#include "apps/specimen_input.hpp"
 #include "apps/specimen_source.hpp"
 #include "apps/terminal_line.hpp"
 #include "apps/twin_folder.hpp"

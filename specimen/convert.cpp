@@ -155,7 +155,12 @@ void note_result(const Segmented& segmented, ConvertReport& report) {
 
 Converted convert_picture(const std::string& path, const ConvertOptions& options) {
   check_options(options);
-  const Picture picture = cropped(read_picture(path, options.max_pixels), options.crop);
+  return convert_picture(read_picture(path, options.max_pixels), options);
+}
+
+Converted convert_picture(Picture whole, const ConvertOptions& options) {
+  check_options(options);
+  const Picture picture = cropped(std::move(whole), options.crop);
   Converted result;
   ConvertReport& report = result.report;
   report.source_pixel_size = source_pixel_size(picture, options, report);

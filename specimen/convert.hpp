@@ -34,6 +34,7 @@
 #include <utility>
 #include <vector>
 
+#include "specimen/picture.hpp"
 #include "specimen/specimen.hpp"
 
 namespace specimen {
@@ -101,9 +102,12 @@ struct Converted {
   ConvertReport report;
 };
 
+/// Convert a picture.
+/// @throws Error for a scale that is missing, or options that do not fit it.
+[[nodiscard]] Converted convert_picture(Picture picture, const ConvertOptions& options);
+
 /// Convert a picture file.
-/// @throws Error for a file that is no allowed picture, a scale that is missing, or options that do not fit
-/// it.
+/// @throws Error as above, and for a file that is no allowed picture.
 [[nodiscard]] Converted convert_picture(const std::string& path, const ConvertOptions& options);
 
 /// Intersection over union per phase of two masks of one shape; NaN for a phase in neither.

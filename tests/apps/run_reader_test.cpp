@@ -37,7 +37,7 @@ class RunReader : public testing::Test {
 
 TEST_F(RunReader, GivesBackWhatWasWritten) {
   const app::ReadRun run = app::read_run(run_);
-  EXPECT_EQ(run.title, "A small one");
+  EXPECT_EQ(run.settings.title, "A small one");
   EXPECT_EQ(run.specimen.mask.labels.rows, 20);
   EXPECT_EQ(run.scene.labels.rows(), 20);
   EXPECT_DOUBLE_EQ(run.scene.loading.stop_strain, 20e-6);

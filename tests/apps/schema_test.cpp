@@ -181,7 +181,7 @@ TEST(WhyUnused, DependsOnTheSource) {
   EXPECT_EQ(app::why_unused("convert.width", settings), "");
   EXPECT_EQ(app::why_unused("generate.width", settings), "has no effect on a picture");
   settings.specimen.file = "a.h5";
-  EXPECT_EQ(app::why_unused("itz.mode", settings), "has no effect on a specimen that is read from a file");
+  EXPECT_EQ(app::why_unused("itz.mode", settings), "has no effect on a specimen that is there already");
   EXPECT_EQ(app::why_unused("loading.velocity", settings), "");
 }
 

@@ -7,7 +7,7 @@ root = Path(sys.argv[1])
 files = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True).stdout.split() or [
     str(p.relative_to(root)) for p in root.rglob("*") if p.is_file() and p.relative_to(root).parts[0] not in ("build", "runs")]
 top_level = {"CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE", "quickstart",
-             "check", "specimen", "libmpm", "apps", "data", "docs", "tests"}
+             "check", "pyproject.toml", "specimen", "libmpm", "apps", "data", "docs", "tests"}
 libraries = ("specimen/", "libmpm/")
 # An include that matches the first may stand only in a file that matches the second.
 may_include = [
@@ -19,6 +19,7 @@ may_include = [
     (r"hdf5|H5", r"specimen/specimen_file\w*\.[ch]pp$|libmpm/(hdf5|result_file|frame_file|table_file)\w*\.[ch]pp$|tests/"),
     (r"toml|CLI/|cairo|nlohmann", r"(apps|tests)/"),
     (r"iostream", r"(apps|tests)/"),
+    (r"pybind11|Python\.h|apps/python/", r"apps/python/"),
 ]
 never_in_libraries = re.compile(r"\b(std::c(out|err|log)|f?printf|puts|perror|(std::)?_?exit|abort|terminate)\s*(\(|<<)")
 hands_environment_on = "apps/other_program.cpp"  # to the programs that it runs

@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
 """Runs the commands of a page of the documentation in an empty folder that has only data/ and the program.
-Usage: page_test.py SOURCE_DIR PAGE BIN_DIR WORK_DIR
+Usage: page_test.py SOURCE_DIR PAGE BIN_DIR WORK_DIR PYTHON_DIR
 
 All ```sh blocks are run, in their order and in one shell, but for those under the line <!-- not run as a test: WHY -->;
-of these, each command must at least be there: a script of ours, or the program and its options. Every picture and page
-that is linked to must be there too."""
+of these, each command must at least be there: a script of ours, or the program and its options. After them all ```python
+blocks are run, as one script. Every picture and page that is linked to must be there too."""
 import itertools, os, re, shlex, shutil, subprocess, sys
 from pathlib import Path
 
-source, page, programs, work = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3]), Path(sys.argv[4])
+source, page = Path(sys.argv[1]), sys.argv[2]
+programs, work, packages = (Path(argument).resolve() for argument in sys.argv[3:])
 text = (source / page).read_text()
 blocks = re.findall(r"(<!-- not run as a test: .+ -->\n)?```sh\n(.*?)```", text, re.S)
 run = "".join(commands for excuse, commands in blocks if not excuse)
 excused = "".join(commands for excuse, commands in blocks if excuse)
+script = "".join(re.findall(r"```python\n(.*?)```", text, re.S))
 
 for line in filter(None, (re.sub("#.*", "", line).strip() for line in excused.splitlines())):
     command, *words = shlex.split(line)
@@ -27,11 +29,13 @@ for line in filter(None, (re.sub("#.*", "", line).strip() for line in excused.sp
 for link in re.findall(r"\]\(([^)#]+)\)", text):
     assert link.startswith("http") or ((source / page).parent / link).exists(), f"{page}: {link} is not there"
 
-assert "mesopix" in run, f"{page} shows no command of the program"
+assert "mesopix" in run + script, f"{page} shows no command of the program"
 shutil.rmtree(work, ignore_errors=True)
 (work / "build/release").mkdir(parents=True)
 (work / "build/release/bin").symlink_to(programs)
 if (source / "data").exists():
     shutil.copytree(source / "data", work / "data")
-places = dict(os.environ, PATH=f"{programs.resolve()}:{os.environ['PATH']}")
-sys.exit(subprocess.run(["bash", "-eux", "-c", run], cwd=work, env=places).returncode)
+places = dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}", PYTHONPATH=str(packages), MPLBACKEND="Agg")
+for command in (["bash", "-eux", "-c", run], [sys.executable, "-c", script]):
+    if status := subprocess.run(command, cwd=work, env=places).returncode:
+        sys.exit(status)

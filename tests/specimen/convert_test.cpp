@@ -94,6 +94,20 @@ TEST(Convert, TakesTheScaleOfTheFileWithANote) {
   EXPECT_THROW((void)convert_picture(scratch.file("labels.pgm"), {}), specimen::Error);
 }
 
+TEST(Convert, APictureInMemoryIsTheSameAsItsFile) {
+  const Scratch scratch;
+  const std::string path = scratch.file("labels.png");
+  specimen::write_labels(path, our_mask());
+  ConvertOptions options;
+  options.source_pixel_size = 0.5e-3;
+  options.crop = {10, 0, 60, 50};
+  const Converted from_file = convert_picture(path, options);
+  const Converted from_memory = convert_picture(specimen::read_picture(path), options);
+  EXPECT_EQ(from_memory.segmented.mask, from_file.segmented.mask);
+  EXPECT_EQ(from_memory.segmented.mask.labels.cols, 60);
+  EXPECT_EQ(from_memory.report.notes, from_file.report.notes);
+}
+
 TEST(Convert, MapsValuesToPhasesOfTheUser) {
   const Scratch scratch;
   const std::string path = scratch.write("map.pgm", std::string("P2 4 2 255  0 1 2 3  255 2 2 3"));

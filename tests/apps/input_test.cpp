@@ -1,4 +1,4 @@
-#include "apps/specimen_input.hpp"
+#include "apps/input.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-TEST(SpecimenInput, IsToldByItsContent) {
+TEST(Input, IsToldByItsContent) {
   const test::TemporaryFolder folder;
   specimen::write_specimen(folder / "a", test::small_specimen());
   test::write_text(folder / "b", "P2 1 1 1 0");
@@ -23,7 +23,7 @@ TEST(SpecimenInput, IsToldByItsContent) {
   EXPECT_EQ(resolve_input("INPUT", folder / "c.toml", {fraction}).settings.packing.fraction, 0.3);
 }
 
-TEST(SpecimenInput, RefusesFolders) {
+TEST(Input, RefusesFolders) {
   const test::TemporaryFolder folder;
   try {
     (void)resolve_input("INPUT", folder / "", {});

@@ -1,0 +1,46 @@
+/// A specimen, as Python holds it.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/scene_file.hpp"
+#include "apps/specimen_source.hpp"
+#include "specimen/specimen.hpp"
+
+namespace binding {
+
+namespace py = pybind11;
+
+/// mesopix.Specimen
+struct Body {
+  std::shared_ptr<const specimen::Specimen> specimen;
+  std::vector<std::string> notes;  ///< what was guessed when it was made, one sentence each
+};
+
+/// generate, convert, read_specimen and the class.
+void bind_specimen(py::module_& module);
+
+/// What is broken: a Specimen, or what a path says.
+struct Broken {
+  app::Resolved resolved;
+  std::optional<app::Prepared> given;  ///< the specimen, where it is none that is still to be made
+  std::string stem;                    ///< of the path; "specimen" where there is none
+
+  /// Make the specimen, or take the given one, in whole cells.   @pre called with the lock.
+  [[nodiscard]] app::Prepared cells() const;
+};
+
+/// @param resolve  reads what stands at a path.   @throws app::Rejected.
+[[nodiscard]] Broken broken_of(const py::object& input, std::vector<app::Assignment> given,
+                               app::Resolved (*resolve)(const std::string& path,
+                                                        std::vector<app::Assignment> given));
+
+/// Where a specimen that is no file is written beside what came of it.
+inline constexpr const char* specimen_name = "specimen.h5";
+
+}  // namespace binding

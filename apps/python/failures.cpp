@@ -1,0 +1,74 @@
+#include "apps/python/failures.hpp"
+
+#include <regex>
+
+#include "apps/offer.hpp"
+
+namespace binding {
+namespace {
+
+py::object exception_type(const char* name) { return py::module_::import("mesopix.errors").attr(name); }
+
+/// Options of the program, --stop-drop, are arguments here, stop_drop; its command lines stay what they are.
+std::string in_python(const std::string& part) {
+  static const std::regex option("--([a-z][a-z.-]*)");
+  if (part.find("mesopix ") != std::string::npos) return part;
+  std::string text;
+  auto from = part.begin();
+  for (std::sregex_iterator found(part.begin(), part.end(), option); found != std::sregex_iterator();
+       ++found) {
+    text.append(from, (*found)[0].first);
+    text += app::with_underscores((*found)[1]);
+    from = (*found)[0].second;
+  }
+  return text.append(from, part.end());
+}
+
+app::Complaint in_python(app::Complaint complaint) {
+  for (std::string* part : {&complaint.field, &complaint.allowed, &complaint.cure}) *part = in_python(*part);
+  return complaint;
+}
+
+py::object as_tuple(const app::Complaint& complaint) {
+  return exception_type("Complaint")(app::text(complaint), app::text(complaint.place), complaint.field,
+                                     complaint.value, complaint.allowed, complaint.cure);
+}
+
+py::object exception_of(const app::Rejected& refusal) {
+  if (refusal.code == app::Exit::internal)
+    return py::reinterpret_borrow<py::object>(PyExc_RuntimeError)(refusal.what());
+  py::list complaints;
+  for (const app::Complaint& complaint : refusal.complaints)
+    complaints.append(as_tuple(in_python(complaint)));
+  return exception_type(refusal.code == app::Exit::io ? "FileError" : "Error")(*complaints);
+}
+
+void set_error(const py::object& exception) {
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
+}
+
+}  // namespace
+
+void translate_refusals() {
+  py::register_exception_translator([](std::exception_ptr exception) {  // NOLINT: the library's signature
+    try {
+      if (exception) std::rethrow_exception(exception);
+    } catch (const app::Rejected& refusal) {
+      set_error(exception_of(refusal));
+    }
+  });
+}
+
+void raise_with(const char* name, const std::string& text, const py::object& result) {
+  set_error(exception_type(name)(text, result));
+  throw py::error_already_set();
+}
+
+void raise_with(const app::Rejected& refusal, const py::object& result) {
+  const py::object exception = exception_of(refusal);
+  exception.attr("result") = result;
+  set_error(exception);
+  throw py::error_already_set();
+}
+
+}  // namespace binding

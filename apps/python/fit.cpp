@@ -1,0 +1,210 @@
+#include "apps/python/fit.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "apps/calibration_folder.hpp"
+#include "apps/calibration_json.hpp"
+#include "apps/calibration_wish.hpp"
+#include "apps/calibration_words.hpp"
+#include "apps/input.hpp"
+#include "apps/output/text.hpp"
+#include "apps/python/body.hpp"
+#include "apps/python/failures.hpp"
+#include "apps/python/json.hpp"
+#include "apps/python/options.hpp"
+#include "apps/python/progress.hpp"
+#include "apps/python/spectator.hpp"
+#include "apps/python/views.hpp"
+#include "apps/run_location.hpp"
+#include "apps/scene_text.hpp"
+#include "specimen/specimen_file.hpp"
+
+namespace binding {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// mesopix.Calibration: owner of all that its arrays show.
+struct Fit {
+  app::Job job;
+  std::optional<app::CalibrationTask> task;  ///< of the job
+  app::Calibration found;
+  bool is_given = false;  ///< the specimen is no file, and is written beside the scene
+};
+
+using FitPointer = std::shared_ptr<Fit>;
+
+app::TargetCurve measured_curve(const py::object& target) {
+  if (target.is_none() || py::isinstance<py::str>(target) || py::hasattr(target, "__fspath__")) return {};
+  const auto [strain, stress] = target.cast<std::pair<std::vector<double>, std::vector<double>>>();
+  std::string table = "strain,stress_Pa\n";
+  for (std::size_t i = 0; i < std::min(strain.size(), stress.size()); ++i)
+    table += fmt::format("{},{}\n", strain[i], stress[i]);
+  if (strain.size() != stress.size())
+    throw app::Rejected(
+        app::Exit::usage,
+        app::complaint("target", fmt::format("{} strains and {} stresses", strain.size(), stress.size()),
+                       "must be as many"));
+  return app::parse_target_curve(table, "target");
+}
+
+app::CalibrationWish wish_of(const py::dict& wanted) {
+  app::CalibrationWish wish;
+  const auto set = [&](const char* name, std::string& text, const char* unit = "") {
+    const py::object value = wanted[name];
+    if (!value.is_none()) text = option_text(value, unit);
+  };
+  set("peak_stress", wish.peak_stress, "Pa");
+  set("peak_strain", wish.peak_strain);
+  set("seeds", wish.seeds);
+  set("tolerance", wish.tolerance);
+  set("max_evaluations", wish.evaluations);
+  const py::object free = wanted["free"], target = wanted["target"];
+  if (!free.is_none())
+    wish.free = (py::isinstance<py::str>(free) ? free : py::str(",").attr("join")(free)).cast<std::string>();
+  if (py::isinstance<py::str>(target) || py::hasattr(target, "__fspath__")) wish.curve = path_text(target);
+  return wish;
+}
+
+app::Resolved resolve_path(const std::string& path, std::vector<app::Assignment> given) {
+  return app::resolve_scene(path, given);
+}
+
+/// The search goes on in a thread of its own, so that Ctrl-C finds the main thread awake.
+app::Calibration search(const app::CalibrationTask& task, Spectator& spectator) {
+  std::atomic<bool> stopped = false;
+  const auto stop_unless = [&](bool goes_on) {
+    if (!goes_on) stopped = true;
+  };
+  const auto observer = [&](const app::Calibration& so_far) {
+    stop_unless(spectator.look([&] { return glance_at(so_far); }));
+  };
+  const py::gil_scoped_release unlock;
+  auto found = std::async(std::launch::async, [&] {
+    return app::calibrate(
+        task, [&] { return stopped.load(); }, observer);
+  });
+  while (found.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+    stop_unless(spectator.go_on());
+  return found.get();
+}
+
+void conclude(const FitPointer& fit, const Spectator& spectator) {
+  spectator.rethrow();
+  const bool nothing = fit->found.history.empty();
+  if (spectator.interrupted())
+    raise_with(
+        "Interrupted",
+        nothing ? "interrupted before anything was found" : "interrupted; the best so far is in .result",
+        nothing ? py::none() : py::cast(fit));
+}
+
+FitPointer calibrate(const py::object& input, const py::dict& settings, const py::dict& options,
+                     const py::dict& wanted, const py::object& progress) {
+  const app::CalibrationWish wish = located({}, [&] { return wish_of(wanted); });
+  app::Target target = located({}, [&] { return read_target(wish, measured_curve(wanted["target"])); });
+  Broken broken = located({}, [&] {
+    return broken_of(input, assignments(app::offer_of_calibrate(), settings, options), resolve_path);
+  });
+  return located(broken.resolved.origins, [&] {
+    app::check_loading(broken.resolved.settings.scene);
+    auto fit = std::make_shared<Fit>();
+    fit->is_given = broken.given.has_value();
+    fit->job = app::make_job(broken.resolved.settings, broken.cells());
+    fit->task.emplace(app::make_task(fit->job, std::move(target), wish));
+    Spectator spectator(progress);
+    fit->found = search(*fit->task, spectator);
+    conclude(fit, spectator);
+    return fit;
+  });
+}
+
+py::dict values(const Fit& fit) {
+  py::dict settings;
+  const std::vector<double>& factors = fit.found.best_evaluation().factors;
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    for (const app::ScaledSetting& setting : fit.task->parameters[i].settings)
+      settings[py::str(setting.field.key)] = setting.text(factors[i]);
+  return settings;
+}
+
+app::Calibration in_folder(const Fit& fit, const fs::path& folder) {
+  app::Calibration found = fit.found;
+  if (fit.is_given) found.settings.specimen.file = (folder / specimen_name).string();
+  return found;
+}
+
+std::string scene(const Fit& fit) {
+  const fs::path here = fs::current_path();
+  return app::scene_text(in_folder(fit, here).settings, app::Extent::whole, here);
+}
+
+void save(const Fit& fit, const py::object& wanted, bool overwrite) {
+  const app::Origins origins{{"-o", {"-o", {}, {}, "folder", ""}}};
+  located(origins, [&] {
+    const fs::path folder = app::make_run_folder(path_text(wanted), "", overwrite);
+    const Attempts written = write_calibration(folder, *fit.task, in_folder(fit, folder));
+    if (fit.is_given) specimen::write_specimen((folder / specimen_name).string(), fit.job.specimen);
+    written.conclude();
+  });
+}
+
+py::list curves(const py::object& self) {
+  const py::object type = py::module_::import("mesopix.results").attr("Curve");
+  py::list all;
+  for (const app::SeedRun& run : self.cast<const Fit&>().found.runs)
+    all.append(type(view(run.strain, self), view(run.stress, self)));
+  return all;
+}
+
+std::string unmet(const Fit& fit) { return why_not_met(*fit.task, fit.found); }
+
+std::string representation(const Fit& fit) {
+  std::string text = "<mesopix.Calibration to " + target_text(fit.task->target) + ": misfit " +
+                     output::trimmed(100 * fit.found.misfit, 3) + " %";
+  for (const auto& [key, value] : values(fit))
+    text += "; " + key.cast<std::string>() + " = " + value.cast<std::string>();
+  return text + ">";
+}
+
+}  // namespace
+
+void bind_fit(py::module_& module) {
+  py::class_<Fit, FitPointer>(module, "Calibration",
+                              "What a fit came to. Its arrays are read-only views, and keep it alive.")
+      .def_property_readonly("settings", &values,
+                             "what was fitted, {key: value}, as simulate takes it: simulate(specimen, "
+                             "calibration.settings)")
+      .def_property_readonly(
+          "met", [](const Fit& fit) { return unmet(fit).empty(); }, "whether the target was met")
+      .def_property_readonly("why_not_met", &unmet, "in a sentence; empty when it was met")
+      .def_property_readonly(
+          "misfit", [](const Fit& fit) { return fit.found.misfit; },
+          "of the fitted scene: relative error of a peak, or that of stresses over the peak stress for a "
+          "curve [-]")
+      .def_property_readonly(
+          "curves", &curves,
+          "Curve(strain [-], stress [Pa]) of the fitted scene, one a seed; read-only views")
+      .def_property_readonly(
+          "notes", [](const Fit& fit) { return py::tuple(py::cast(fit.job.notes)); },
+          "what was guessed on the way, one sentence each")
+      .def_property_readonly(
+          "summary", [](const Fit& fit) { return as_dict(calibration_json(*fit.task, fit.found)); },
+          "figures, a dict as calibration.json")
+      .def_property_readonly("scene", &scene, "the scene with what was fitted, TOML")
+      .def("save", &save, py::arg("folder"), py::arg("overwrite") = false,
+           "save(folder, overwrite=False)\n\nWrite scene.toml with what was fitted, calibration.json and "
+           "report.html.\nRaises Error for a folder that is not empty, FileError when the disk fails.")
+      .def("__repr__", &representation);
+  module.def("calibrate", &calibrate);
+}
+
+}  // namespace binding

@@ -1,0 +1,17 @@
+/// What a callback is told.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "apps/calibration.hpp"
+#include "libmpm/simulate.hpp"
+
+namespace binding {
+
+/// mesopix.Progress of a run.
+[[nodiscard]] pybind11::object glance_at(const mpm::Progress& progress);
+
+/// mesopix.Trial of a calibration.   @pre it has a history.
+[[nodiscard]] pybind11::object glance_at(const app::Calibration& so_far);
+
+}  // namespace binding

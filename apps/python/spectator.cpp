@@ -1,0 +1,60 @@
+#include "apps/python/spectator.hpp"
+
+#include <utility>
+
+namespace binding {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto between_looks = std::chrono::milliseconds(50);
+
+/// Ctrl-C comes to the main thread alone; in others this does nothing.
+void check_signals() {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+}  // namespace
+
+Spectator::Spectator(py::object progress)
+    : progress_(std::move(progress)), next_look_(Clock::now() + between_looks) {}
+
+bool Spectator::is_due() {
+  const Clock::time_point now = Clock::now();
+  if (now < next_look_) return false;
+  next_look_ = now + between_looks;
+  return true;
+}
+
+bool Spectator::look(const std::function<py::object()>& glance) {
+  if (progress_.is_none()) return go_on();
+  const py::gil_scoped_acquire lock;
+  if (raised_ || ended_) return false;
+  try {
+    check_signals();
+    progress_(glance());
+  } catch (const py::error_already_set& error) {
+    ended_ = error.matches(PyExc_StopIteration);
+    if (!ended_) raised_.emplace(error);
+  }
+  return !raised_ && !ended_;
+}
+
+bool Spectator::go_on() {
+  if (!is_due()) return true;
+  const py::gil_scoped_acquire lock;
+  if (raised_ || ended_) return false;
+  try {
+    check_signals();
+  } catch (const py::error_already_set& error) {
+    raised_.emplace(error);
+  }
+  return !raised_;
+}
+
+bool Spectator::interrupted() const { return raised_ && raised_->matches(PyExc_KeyboardInterrupt); }
+
+void Spectator::rethrow() const {
+  if (raised_ && !interrupted()) throw py::error_already_set(*raised_);
+}
+
+}  // namespace binding

@@ -1,0 +1,43 @@
+/// NumPy arrays that show memory of C++, without a copy.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <vector>
+
+#include "libmpm/lattice.hpp"
+#include "libmpm/result.hpp"
+#include "specimen/raster.hpp"
+
+namespace binding {
+
+namespace py = pybind11;
+
+/// Of memory that `owner` keeps; the array keeps the owner alive, and is read-only.
+[[nodiscard]] py::array frozen_view(const py::dtype& type, std::vector<py::ssize_t> shape,
+                                    std::vector<py::ssize_t> strides, const void* data,
+                                    const py::object& owner);
+
+/// Shape (rows, cols), row 0 on top.
+template <class T>
+[[nodiscard]] py::array view(const specimen::Raster<T>& raster, const py::object& owner) {
+  constexpr auto size = static_cast<py::ssize_t>(sizeof(T));
+  return frozen_view(py::dtype::of<T>(), {raster.rows, raster.cols}, {raster.cols * size, size},
+                     raster.data.data(), owner);
+}
+
+/// The same; None for a lattice that is empty.
+template <class T>
+[[nodiscard]] py::object view(const mpm::Lattice<T>& lattice, const py::object& owner) {
+  constexpr auto size = static_cast<py::ssize_t>(sizeof(T));
+  if (lattice.size() == 0) return py::none();
+  return frozen_view(py::dtype::of<T>(), {lattice.rows(), lattice.cols()}, {lattice.cols() * size, size},
+                     lattice.data(), owner);
+}
+
+[[nodiscard]] py::array view(const std::vector<double>& numbers, const py::object& owner);
+
+/// A structured array with the columns of the history, by their names.
+[[nodiscard]] py::array view(const std::vector<mpm::HistoryRow>& history, const py::object& owner);
+
+}  // namespace binding
