@@ -54,7 +54,7 @@ def main():
     amount.add_argument("--hours", type=float)
     amount.add_argument("--runs", type=int)
     parser.add_argument("--jobs", type=int, default=2)
-    given = parser.parse_args()
+    given = parser.parse_intermixed_args()  # targets may stand behind options
     known = sorted(path.name.removeprefix("fuzz_") for path in given.build.glob("bin/fuzz_*"))
     unknown = set(given.targets) - set(known)
     if not known or unknown:
