@@ -36,6 +36,8 @@ COMMANDS = {
                                     "kept/checkpoints", ("kept/scene.toml", "kept/specimen.h5")),
     "calibrate": Command("calibrate scene.toml --peak-stress 4.5MPa --seeds 1"
                          " -o fitted", ("fitted",), True),
+    "study": Command("study study.toml -o members --jobs 1", ("members",)),
+    "twin": Command("twin specimen.h5 -n 2 -o twins", ("twins",)),
     "report": Command("report first second -o both.html", ("both.html",)),
     "plot damage": Command("plot first -o damage.pdf", ("damage.pdf",)),
     "plot stress": Command("plot first --what stress -o stress.png", ("stress.png",)),
@@ -55,6 +57,7 @@ def arguments_of(command):
 def prepare(mesopix, folder):
     """What the commands read: a scene, a specimen, its labels, two runs of which one has frames."""
     (folder / "scene.toml").write_text(SCENE)
+    (folder / "study.toml").write_text('scene = "scene.toml"\nseeds = 2\n')
     for line in ("generate scene.toml -o specimen.h5", "generate scene.toml -o labels.png",
                  "simulate specimen.h5 -o first --frames 2", "simulate specimen.h5 -o second --seed 2"):
         subprocess.run([mesopix, *line.split()], cwd=folder, check=True, capture_output=True)
