@@ -60,7 +60,7 @@ def check(builds, name, scene, options, folder):
                 assert not different, f"{name}, {instructions}: {threads} threads differ from one in {', '.join(different)}"
             seen.append(figures(made))
     values = {key: [figure[key] for figure in seen] for key in MOST}
-    return {key: (max(all) - min(all)) / max(map(abs, all)) for key, all in values.items()}
+    return {key: (max(all) - min(all)) / (max(map(abs, all)) or 1) for key, all in values.items()}
 
 
 def main():
