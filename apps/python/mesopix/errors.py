@@ -20,12 +20,10 @@ class Complaint(NamedTuple):
     cure: str  #: what to try
 
 
-class Error(ValueError):
-    """A value, a scene, a picture or a specimen that cannot be used."""
+class _Complaints:
+    """What errors share that name what is at fault."""
 
-    def __init__(self, *complaints: Complaint) -> None:
-        super().__init__(*complaints)
-        self.complaints: tuple[Complaint, ...] = complaints  #: every mistake that was found, one at least
+    complaints: tuple[Complaint, ...]  #: every mistake that was found, one at least
 
     def __str__(self) -> str:
         return "\n".join(complaint.text for complaint in self.complaints)
@@ -52,34 +50,22 @@ class Error(ValueError):
         return self.complaints[0].cure
 
 
-class FileError(OSError):
-    """A file that cannot be read or written."""
+class Error(_Complaints, ValueError):
+    """A value, a scene, a picture or a specimen that cannot be used."""
+
+    def __init__(self, *complaints: Complaint) -> None:
+        super().__init__(*complaints)
+        self.complaints = complaints
+
+
+class FileError(_Complaints, OSError):
+    """A file that cannot be read or written: a complaint each, `field` the file or the argument that names it."""
 
     def __init__(self, *complaints: Complaint) -> None:
         super().__init__()
         self.args = complaints
-        self.complaints: tuple[Complaint, ...] = complaints  #: a file each, one at least
+        self.complaints = complaints
         self.result: Result | None = None  #: of a run whose folder the disk did not take whole
-
-    def __str__(self) -> str:
-        return "\n".join(complaint.text for complaint in self.complaints)
-
-    @property
-    def field(self) -> str:
-        """The first file, or the argument that names it."""
-        return self.complaints[0].field
-
-    @property
-    def value(self) -> str:
-        return self.complaints[0].value
-
-    @property
-    def allowed(self) -> str:
-        return self.complaints[0].allowed
-
-    @property
-    def cure(self) -> str:
-        return self.complaints[0].cure
 
 
 class Diverged(RuntimeError):
