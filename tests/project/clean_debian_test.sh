@@ -95,7 +95,7 @@ try_program() {
 try_manuals() {
   local root=$1
   apt "$root" install man-db bash-completion
-  try "$root" "man mesopix" 'man --warnings mesopix >page.txt 2>errors.txt && grep -q mesopix page.txt && [ ! -s errors.txt ]'
+  try "$root" "man mesopix" 'man --warnings mesopix >page.txt 2>errors && grep -q mesopix page.txt && [ ! -s errors ]'
   try "$root" "bash completes mesopix" 'bash -c ". /usr/share/bash-completion/bash_completion; _completion_loader mesopix || true
     complete -p mesopix"'
 }
@@ -130,7 +130,7 @@ try_libraries() {
   copy "$bare" "$tools"
   apt "$tools" install g++ cmake ninja-build
   try_library specimen 'eigen|mesopix-mpm'
-  try_library mpm 'opencv|libpng-dev|libtiff|libjpeg.*-dev|mesopix-specimen'
+  try_library mpm 'opencv|libpng-dev|libtiff|mesopix-specimen'  # libhdf5-dev brings libjpeg-dev
   apt "$work/mpm" install libmesopix-specimen-dev
   try "$work/mpm" "a project with both libraries" 'cmake -S consumer -B both -G Ninja && cmake --build both && both/use_both'
 }
