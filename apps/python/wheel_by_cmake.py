@@ -25,7 +25,7 @@ def cmake(*words: object) -> None:
 
 
 class BuildByCMake(build_ext):
-    """Puts what CMake installs as the component python where setuptools expects it."""
+    """Puts what CMake installs as the component wheel where setuptools expects it."""
 
     there: str | None = None  #: a build folder that is configured already
 
@@ -35,7 +35,7 @@ class BuildByCMake(build_ext):
             cmake("-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DMESOPIX_PYTHON=ON",
                   "-DMESOPIX_TESTS=OFF", "-DMESOPIX_EVIDENCE=OFF", f"-DPython_EXECUTABLE={sys.executable}")
         cmake("--build", build, "--target", "mesopix_python")
-        cmake("--install", build, "--component", "python", "--prefix", Path(self.build_lib).resolve(), "--strip")
+        cmake("--install", build, "--component", "wheel", "--prefix", Path(self.build_lib).resolve(), "--strip")
         if not Path(self.build_lib, self.get_ext_filename("mesopix._core")).exists():
             raise RuntimeError(f"{build} was configured for another Python than {sys.executable}; remove it")
 

@@ -25,8 +25,9 @@ stub id 'echo 0'
 stub dpkg-query 'echo installed'
 stub apt-get 'echo "apt-get was called"; exit 1'
 expect 0 "" "$install" check
+expect 0 "" "$install" package
 expect 2 "usage:" "$install"
-expect 2 "'nonsense' is no step; the steps are: format gcc clang fuzz tsan coverage tidy cppcheck" "$source_dir/check" nonsense
+expect 2 "'nonsense' is no step; the steps are: format gcc clang fuzz tsan coverage tidy cppcheck package" "$source_dir/check" nonsense
 
 stub dpkg-query '[[ $* == *libtiff-dev* ]] && exit 1; echo installed'
 expect 1 "Installing 1 Debian packages: libtiff-dev" "$install" build
@@ -41,6 +42,8 @@ expect 1 "As root, run:
   apt-get install --no-install-recommends libtiff-dev" "$install" build
 stub sudo 'echo "sudo: $*"; exit 1'
 expect 1 "sudo: env DEBIAN_FRONTEND=noninteractive apt-get" "$install" build
+
+expect 1 "debootstrap and chroot need root" "$source_dir/tests/project/clean_debian_test.sh" "$source_dir" .
 
 rm "$stubs/dpkg-query"
 expect 0 "this is no Debian system" "$install" build
