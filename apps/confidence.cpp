@@ -2,7 +2,6 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 
 #include "apps/statistics.hpp"
 
@@ -10,7 +9,6 @@ namespace app {
 namespace {
 
 constexpr double upper_tail = 0.025;
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_values = 100'000'000;
 
 /// Half width of the interval over the standard deviation.

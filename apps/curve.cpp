@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "apps/statistics.hpp"
 
 namespace app {
-namespace {
-
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 Curve stress_curve(const mpm::Result& result) {
   Curve curve;

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include "apps/output/load_words.hpp"
+#include "apps/terminal_line.hpp"
 
 namespace app {
 namespace {
-
-constexpr const char* wipe = "\r\x1b[K";
 
 std::string strain_now(double strain) {
   return strain < 0.01 ? fmt::format("{:.0f}e-6", 1e6 * strain) : fmt::format("{:.2f} %", 100 * strain);
@@ -32,13 +31,13 @@ std::string progress_text(const mpm::Scene& scene, const mpm::Progress& progress
 
 void ProgressLine::show(const mpm::Progress& progress) {
   if (!enabled_ || (drawn_ && progress.wall_time - last_ < 0.1)) return;
-  terminal_ << wipe << progress_text(scene_, progress) << std::flush;
+  terminal_ << wipe_line << progress_text(scene_, progress) << std::flush;
   drawn_ = true;
   last_ = progress.wall_time;
 }
 
 ProgressLine::~ProgressLine() {
-  if (drawn_) terminal_ << wipe << std::flush;
+  if (drawn_) terminal_ << wipe_line << std::flush;
 }
 
 }  // namespace app

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 
+#include "apps/statistics.hpp"
+
 namespace app {
 namespace {
-
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Squared distances of the values begin ... end from their mean.
 double squares(const std::vector<double>& values, std::size_t begin, std::size_t end) {

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace app {
+
+/// Where there is nothing to tell.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Of finite values; NaN where there are none.
 struct Spread {

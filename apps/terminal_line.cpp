@@ -3,19 +3,18 @@
 namespace app {
 namespace {
 
-constexpr const char* wipe = "\r\x1b[K";
 constexpr std::size_t longest = 79;
 
 }  // namespace
 
 void TerminalLine::show(const std::string& text) {
   if (!enabled_) return;
-  terminal_ << wipe << text.substr(0, longest) << std::flush;
+  terminal_ << wipe_line << text.substr(0, longest) << std::flush;
   drawn_ = true;
 }
 
 TerminalLine::~TerminalLine() {
-  if (drawn_) terminal_ << wipe << std::flush;
+  if (drawn_) terminal_ << wipe_line << std::flush;
 }
 
 }  // namespace app

@@ -6,6 +6,8 @@
 
 namespace app {
 
+inline constexpr const char* wipe_line = "\r\x1b[K";  ///< and go back to its beginning
+
 /// Wiped at the end. Texts are cut to 79 letters, since a line that is broken cannot be wiped.
 class TerminalLine {
  public:

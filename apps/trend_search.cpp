@@ -10,7 +10,7 @@ namespace app {
 namespace {
 
 constexpr std::size_t patience = 6;      ///< evaluations without a better one
-constexpr double farthest = 4;           ///< first steps in one go
+constexpr double farthest_step = 4;      ///< first steps in one go
 constexpr double same = 0.2;             ///< tolerances by which parameters that are the same may differ
 constexpr double widest = 0.05;          ///< change of a logarithm beside a place that is known
 constexpr double golden = 0.6180339887;  ///< its multiples leave no gap among their fractions
@@ -81,8 +81,8 @@ class TrendSearch {
     const Trend trend = fit_trend(history_, logarithms_of(history_[best_].factors));
     Box box{from, plan_.low, plan_.high};
     for (std::size_t i = 0; i < from.size(); ++i) {
-      box.low[i] = std::max(box.low[i], from[i] - farthest * plan_.step);
-      box.high[i] = std::min(box.high[i], from[i] + farthest * plan_.step);
+      box.low[i] = std::max(box.low[i], from[i] - farthest_step * plan_.step);
+      box.high[i] = std::min(box.high[i], from[i] + farthest_step * plan_.step);
     }
     return bounded_minimum(box, [&](const std::vector<double>& point) {
       const double misfit = mean_square(trend.at(vector_of(point)), wanted_);

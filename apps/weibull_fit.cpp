@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <boost/math/tools/roots.hpp>
+
+#include "apps/statistics.hpp"
 
 namespace app {
 namespace {
@@ -65,7 +66,6 @@ double WeibullFit::log_error(double p) const {
 double WeibullFit::modulus_error() const { return std::sqrt(0.6079 / static_cast<double>(count)); }
 
 WeibullFit fit_weibull(const std::vector<double>& values) {
-  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   WeibullFit fit{no_number, no_number, values.size()};
   if (values.empty()) return fit;
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());

@@ -21,7 +21,7 @@ void write_heading(TextStream& file, const PixelMesh& mesh, const std::vector<st
     file << fmt::format("**   *MATERIAL, NAME=M_{0}\n**   *SOLID SECTION, ELSET={0}, MATERIAL=M_{0}\n", set);
 }
 
-void write_nodes(TextStream& file, const PixelMesh& mesh) {
+void write_node_block(TextStream& file, const PixelMesh& mesh) {
   const std::vector<std::string> x = mesh.x_texts();
   const std::vector<std::string> y = mesh.y_texts();
   file << "*NODE\n";
@@ -60,7 +60,7 @@ void write_abaqus(const std::string& path, const PixelMesh& mesh, PlaneElement p
   const char* type = plane == PlaneElement::stress ? "CPS4" : "CPE4";
   write_text(path, [&](TextStream& file) {
     write_heading(file, mesh, sets);
-    write_nodes(file, mesh);
+    write_node_block(file, mesh);
     for (std::size_t k = 0; k < sets.size(); ++k) {
       file << "*ELEMENT, TYPE=" << type << ", ELSET=" << sets[k] << "\n";
       write_elements(file, mesh, mesh.phases()[k]);

@@ -60,7 +60,7 @@ void write_entities(TextStream& file, const PixelMesh& mesh, const std::vector<C
 }
 
 /// One block, filed under the first surface: a node of two phases belongs to neither.
-void write_nodes(TextStream& file, const PixelMesh& mesh) {
+void write_node_section(TextStream& file, const PixelMesh& mesh) {
   int64_t first = 0;
   int64_t last = 0;
   mesh.for_each_node([&](MeshNode node) {
@@ -122,7 +122,7 @@ void write_gmsh(const std::string& path, const PixelMesh& mesh) {
     write_header(file, mesh);
     write_physical_names(file, mesh, curves);
     write_entities(file, mesh, curves);
-    write_nodes(file, mesh);
+    write_node_section(file, mesh);
     write_elements(file, mesh, curves);
   });
 }
