@@ -71,8 +71,10 @@ Complaint locate(const Origins& origins, Complaint complaint) {
     complaint.field = found->second.field;
     return complaint;
   }
-  // About a table, such as phases.mortar: where its first setting stands.
-  const std::string table = complaint.field + ".";
+  // About a table, such as phases.mortar, or what is not given in it: where its first setting stands.
+  std::string table = complaint.field + ".";
+  const std::size_t dot = complaint.field.rfind('.');
+  if (dot != complaint.field.find('.')) table = complaint.field.substr(0, dot + 1);
   const auto first = origins.lower_bound(table);
   if (first != origins.end() && first->first.rfind(table, 0) == 0) complaint.place = first->second.place;
   return complaint;

@@ -89,14 +89,18 @@ Value from_command_line(Kind kind, const std::string& text) {
   return {text};
 }
 
-std::string Bounds::text(Dimension dimension) const {
+std::string Bounds::range(Dimension dimension) const {
   const auto shown = [dimension](double limit) {
     return limit == 0 ? std::string("0") : format_quantity(limit, dimension);
   };
-  if (std::isinf(low)) return std::string("must be ") + (high_open ? "< " : "<= ") + shown(high);
-  if (std::isinf(high)) return std::string("must be ") + (low_open ? "> " : ">= ") + shown(low);
-  return fmt::format("must lie in {}{}, {}{}", low_open ? '(' : '[', shown(low), shown(high),
-                     high_open ? ')' : ']');
+  if (std::isinf(low) && std::isinf(high)) return {};
+  if (std::isinf(low)) return (high_open ? "< " : "<= ") + shown(high);
+  if (std::isinf(high)) return (low_open ? "> " : ">= ") + shown(low);
+  return fmt::format("in {}{}, {}{}", low_open ? '(' : '[', shown(low), shown(high), high_open ? ')' : ']');
+}
+
+std::string Bounds::text(Dimension dimension) const {
+  return (std::isinf(low) || std::isinf(high) ? "must be " : "must lie ") + range(dimension);
 }
 
 std::string Quantity::type() const { return upper(name(dimension)) + (word ? "|" + word->word : ""); }

@@ -35,6 +35,8 @@ struct Bounds {
   [[nodiscard]] bool contains(double value) const {
     return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
   }
+  /// "> 0", "in [0, 1)"; empty where every number is allowed.
+  [[nodiscard]] std::string range(Dimension dimension) const;
   /// "must be > 0", "must lie in [0, 1)".
   [[nodiscard]] std::string text(Dimension dimension) const;
 };
@@ -171,6 +173,7 @@ struct Texts {
 
 /// [x, y, width, height]; an empty list is the whole picture.
 struct Rectangle {
+  static constexpr int most = 1'000'000;  ///< [pixels]
   [[nodiscard]] static Kind kind() { return Kind::list; }
   [[nodiscard]] static std::string type() { return "X,Y,WIDTH,HEIGHT"; }
   [[nodiscard]] specimen::Crop read(const Value& value) const;

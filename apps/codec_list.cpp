@@ -84,7 +84,7 @@ specimen::Crop Rectangle::read(const Value& value) const {
   std::vector<int> numbers;
   for (const Value& item : items) {
     const auto* number = std::get_if<std::int64_t>(&item.data);
-    if (number == nullptr || *number < 0 || *number > 1'000'000) throw Mistake(allowed);
+    if (number == nullptr || *number < 0 || *number > most) throw Mistake(allowed);
     numbers.push_back(static_cast<int>(*number));
   }
   if (numbers[2] == 0 || numbers[3] == 0) throw Mistake("width and height must be > 0");

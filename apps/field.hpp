@@ -8,15 +8,10 @@
 #include <utility>
 
 #include "apps/codec.hpp"
+#include "apps/form.hpp"
 #include "apps/value.hpp"
 
 namespace app {
-
-/// What a setting that is a number measures, and how large it may be.
-struct Measure {
-  Dimension dimension = Dimension::ratio;
-  Bounds bounds;
-};
 
 /// A setting held in an object of type T (Settings, or mpm::Phase for the properties of every phase).
 template <class T>
@@ -28,6 +23,7 @@ struct FieldOf {
   std::function<void(T&, const Value&)> set;  ///< throws Mistake
   std::function<Value(const T&)> get;
   std::optional<Measure> measure;  ///< of a quantity; none of whole numbers and all others
+  Form form = {};
 };
 
 template <class Codec>
@@ -47,7 +43,8 @@ FieldOf<T> make_field(std::string key, std::string help, Codec codec, Access acc
           codec.type(),
           [codec, access](T& object, const Value& value) { access(object) = codec.read(value); },
           [codec, access](const T& object) { return codec.write(access(object)); },
-          measure_of(codec)};
+          measure_of(codec),
+          form_of(codec)};
 }
 
 }  // namespace app

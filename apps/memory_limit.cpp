@@ -7,17 +7,10 @@
 #include <charconv>
 #include <fstream>
 
+#include "apps/version.hpp"
+
 namespace app {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool is_sanitized = true;
-#elif defined(__has_feature)
-constexpr bool is_sanitized =
-    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer);
-#else
-constexpr bool is_sanitized = false;
-#endif
 
 std::string first_line(const char* path) {
   std::ifstream file(path);
@@ -37,7 +30,7 @@ std::uint64_t memory_to_take(std::uint64_t machine, const std::string& container
 void limit_memory() {
   struct sysinfo about {};
   struct rlimit limit {};
-  if (is_sanitized || ::sysinfo(&about) != 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  if (build().sanitized || ::sysinfo(&about) != 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
   const std::uint64_t machine = (std::uint64_t{about.totalram} + about.totalswap) * about.mem_unit;
   const rlim_t wanted = memory_to_take(machine, first_line("/sys/fs/cgroup/memory.max"));
   limit.rlim_cur =

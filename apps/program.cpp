@@ -8,12 +8,14 @@
 #include "apps/calibrate_command.hpp"
 #include "apps/command_line.hpp"
 #include "apps/convert_command.hpp"
+#include "apps/doctor_command.hpp"
 #include "apps/export_command.hpp"
 #include "apps/generate_command.hpp"
 #include "apps/inspect_command.hpp"
 #include "apps/plot_command.hpp"
 #include "apps/refusal.hpp"
 #include "apps/report_command.hpp"
+#include "apps/scene_command.hpp"
 #include "apps/simulate_command.hpp"
 #include "apps/study_command.hpp"
 #include "apps/suggestion.hpp"
@@ -43,6 +45,7 @@ class Program {
     add<GenerateCommand>();
     add<ConvertCommand>();
     add<TwinCommand>();
+    add<SceneCommand>();
     add<SimulateCommand>();
     add<StudyCommand>();
     add<CalibrateCommand>();
@@ -50,6 +53,7 @@ class Program {
     add<ReportCommand>();
     add<PlotCommand>();
     add<ExportCommand>();
+    add<DoctorCommand>();
     for (const auto& make : more) commands_.push_back(make(root_));
   }
 

@@ -95,14 +95,6 @@ void check_edges(const mpm::Scene& scene) {
                            "crop the picture with convert.crop to where the material begins"));
 }
 
-/// Without platens nothing but its flight moves the specimen.
-void check_flight(const mpm::Loading& loading) {
-  if (loading.initial_velocity_x != 0 || loading.initial_velocity_y != 0) return;
-  throw Rejected(Exit::data, complaint("loading.initial_velocity_y", "0 m/s",
-                                       "without platens a specimen at rest stays at rest",
-                                       "give loading.initial_velocity_x or loading.initial_velocity_y"));
-}
-
 /// The paper's ITZ: a material point at each corner of each ring; corners outside the specimen are left out.
 std::vector<mpm::ExtraPoint> itz_points(const specimen::Specimen& specimen) {
   std::vector<mpm::ExtraPoint> points;
@@ -139,16 +131,22 @@ std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_
   return {note};
 }
 
+std::vector<Complaint> flight_complaints(const mpm::Loading& loading) {
+  if (loading.direction != mpm::Direction::none) return {};
+  if (loading.initial_velocity_x != 0 || loading.initial_velocity_y != 0) return {};
+  return {complaint("loading.initial_velocity_y", "0 m/s", "without platens a specimen at rest stays at rest",
+                    "give loading.initial_velocity_x or loading.initial_velocity_y")};
+}
+
 mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& settings) {
   mpm::Scene scene = settings.scene;
   scene.labels = lattice_of(specimen.mask.labels);
   scene.pixel_size = specimen.mask.pixel_size;
   scene.phases = phases_of(specimen, settings);
   scene.extra_points = itz_points(specimen);
-  if (scene.loading.direction == mpm::Direction::none)
-    check_flight(scene.loading);
-  else
-    check_edges(scene);
+  if (const auto complaints = flight_complaints(scene.loading); !complaints.empty())
+    throw Rejected(Exit::data, complaints);
+  if (scene.loading.direction != mpm::Direction::none) check_edges(scene);
   return scene;
 }
 

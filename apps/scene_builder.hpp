@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/complaint.hpp"
 #include "apps/settings.hpp"
 #include "libmpm/scene.hpp"
 #include "specimen/specimen.hpp"
@@ -13,6 +14,9 @@ namespace app {
 /// Cut rows at the top and columns at the right that do not fill a cell of the grid.
 /// @return a sentence about what was cut, none where nothing was.   @throws Rejected when nothing is left.
 [[nodiscard]] std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_per_cell);
+
+/// About a flight, which without platens is all that moves the specimen, and which it needs.
+[[nodiscard]] std::vector<Complaint> flight_complaints(const mpm::Loading& loading);
 
 /// The scene of a specimen whose sides are whole numbers of cells.
 /// @throws Rejected for a phase of the specimen without material, a material without such a phase, and an

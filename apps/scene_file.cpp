@@ -56,10 +56,9 @@ class Walk {
   }
 
   void phases(const toml::table& table) {
-    constexpr std::size_t most = 255;  // labels have a byte, one of them is void
-    if (table.size() > most)
+    if (table.size() > most_phases)
       return complain(table.source(), "phases", fmt::format("{} tables", table.size()),
-                      fmt::format("must be at most {}", most));
+                      fmt::format("must be at most {}", most_phases));
     for (const auto& [key, node] : table) {
       const std::string name(key.str());
       if (!is_phase_name(name))
@@ -164,24 +163,42 @@ SceneFile parse_scene(const std::string& text, const std::string& path) {
 
 SceneFile read_scene_file(const std::string& path) { return parse_scene(read_text_file(path), path); }
 
-Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_line) {
-  Resolved resolved;
-  std::vector<Complaint> complaints = scene.complaints;
-  apply(scene.assignments, resolved.settings, complaints);
-  resolved.settings.specimen.ellipse_list = scene.ellipse_list;
-  std::stable_sort(complaints.begin(), complaints.end(),
-                   [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
-  const bool bad_file = !complaints.empty();
-  apply(command_line, resolved.settings, complaints);
+namespace {
+
+Origins origins_of(const SceneFile& scene, const std::vector<Assignment>& command_line,
+                   const Settings& settings) {
+  Origins origins;
   for (const auto* given : {&scene.assignments, &command_line})
-    for (const Assignment& one : *given) resolved.origins.insert_or_assign(one.key, one);
+    for (const Assignment& one : *given) origins.insert_or_assign(one.key, one);
   if (!scene.ellipse_list.empty())
-    resolved.origins["ellipses"] = {"ellipses", {}, scene.ellipses_place, "ellipses", ""};
-  else if (const std::string& list = resolved.settings.specimen.ellipses; !list.empty())
-    resolved.origins["ellipses"] = {"ellipses", {}, {list, 0, 0}, "ellipses", ""};
+    origins["ellipses"] = {"ellipses", {}, scene.ellipses_place, "ellipses", ""};
+  else if (const std::string& list = settings.specimen.ellipses; !list.empty())
+    origins["ellipses"] = {"ellipses", {}, {list, 0, 0}, "ellipses", ""};
+  return origins;
+}
+
+}  // namespace
+
+Resolved resolve_what_can_be(const SceneFile& scene, const std::vector<Assignment>& command_line,
+                             std::vector<Complaint>& complaints) {
+  Resolved resolved;
+  std::vector<Complaint> of_file = scene.complaints;
+  apply(scene.assignments, resolved.settings, of_file);
+  resolved.settings.specimen.ellipse_list = scene.ellipse_list;
+  std::stable_sort(of_file.begin(), of_file.end(),
+                   [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
+  complaints.insert(complaints.end(), of_file.begin(), of_file.end());
+  apply(command_line, resolved.settings, complaints);
+  resolved.origins = origins_of(scene, command_line, resolved.settings);
+  return resolved;
+}
+
+Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_line) {
+  std::vector<Complaint> complaints;
+  Resolved resolved = resolve_what_can_be(scene, command_line, complaints);
   if (complaints.empty()) complaints = check_use(resolved.origins, resolved.settings);
   if (complaints.empty()) return resolved;
-  const bool of_file = bad_file || !complaints.front().place.file.empty();
+  const bool of_file = !complaints.front().place.file.empty();
   throw Rejected(of_file ? Exit::data : Exit::usage, complaints);
 }
 

@@ -29,6 +29,12 @@ struct Resolved {
   Origins origins;
 };
 
+/// The same without what is refused, which keeps its default; what would have no effect is not looked for.
+/// @param[out] complaints  about that, those about the file first and in its order; they are appended.
+[[nodiscard]] Resolved resolve_what_can_be(const SceneFile& scene,
+                                           const std::vector<Assignment>& command_line,
+                                           std::vector<Complaint>& complaints);
+
 /// Settings from the defaults, the scene, then the command line; a later one wins.
 /// @throws Rejected with every complaint about file and command line.
 [[nodiscard]] Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_line);

@@ -17,12 +17,6 @@ bool is_empty_text(const Value& value) {
   return text != nullptr && text->empty();
 }
 
-Value relative_to(const fs::path& folder, const Value& value) {
-  const fs::path path = std::get<std::string>(value.data);
-  const fs::path base = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
-  return {fs::absolute(path).lexically_normal().lexically_proximate(base).generic_string()};
-}
-
 template <class T>
 std::string line(const FieldOf<T>& field, const Value& value) {
   const std::string setting = fmt::format("{} = {}", leaf_of(field.key), toml_text(value));
@@ -70,6 +64,12 @@ bool of_specimen(const std::string& group) {
 }
 
 }  // namespace
+
+Value relative_to(const std::filesystem::path& folder, const Value& value) {
+  const std::filesystem::path path = std::get<std::string>(value.data);
+  const std::filesystem::path base = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
+  return {fs::absolute(path).lexically_normal().lexically_proximate(base).generic_string()};
+}
 
 std::string scene_text(const Settings& settings, Extent extent, const fs::path& folder) {
   std::string text =

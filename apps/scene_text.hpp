@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/settings.hpp"
+#include "apps/value.hpp"
 
 namespace app {
 
@@ -14,6 +15,10 @@ enum class Extent {
   specimen,  ///< what the specimen is made from: provenance of a specimen file
   whole,
 };
+
+/// A path as a scene in that folder writes it.   @param value  a text: relative to the current folder, or
+/// absolute.
+[[nodiscard]] Value relative_to(const std::filesystem::path& folder, const Value& value);
 
 /// Text that parse_scene and resolve turn into the same settings: complete, commented, the same on every
 /// machine.

@@ -1,5 +1,8 @@
 #include "apps/schema.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "apps/suggestion.hpp"
 
 namespace app {
@@ -18,7 +21,8 @@ Field bind(const PhaseField& property, const std::string& phase) {
             Settings copy = settings;  // a phase not yet there has its defaults
             return get(phase_named(copy, phase));
           },
-          property.measure};
+          property.measure,
+          property.form};
 }
 
 std::vector<std::string> keys_of_group(const std::string& group) {
@@ -134,6 +138,14 @@ std::string suggest_key(std::string_view key, const Settings& settings) {
   for (const Group& one : groups()) tables.push_back(one.name);
   const std::string meant = did_you_mean(group, tables);
   return meant.empty() ? "the tables of a scene are " + listed(tables, "and") : meant;
+}
+
+bool decides_use(std::string_view key) {
+  constexpr std::array deciding{"specimen.file",     "specimen.picture", "specimen.ellipses",
+                                "ellipses",          "generate.classes", "loading.direction",
+                                "solver.kinematics", "motion.transfer",  "motion.left",
+                                "motion.right",      "motion.bottom",    "motion.top"};
+  return std::find(deciding.begin(), deciding.end(), key) != deciding.end();
 }
 
 std::string why_unused(std::string_view key, const Settings& settings) {

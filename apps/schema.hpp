@@ -31,6 +31,9 @@ struct Group {
 /// The properties of each phase, [phases.NAME].
 [[nodiscard]] const std::vector<PhaseField>& phase_fields();
 
+/// Labels have a byte, and one of them is void.
+inline constexpr std::size_t most_phases = 255;
+
 /// Letters, digits, _ and -, so that it can stand in keys and options.
 [[nodiscard]] bool is_phase_name(std::string_view name);
 
@@ -45,6 +48,9 @@ struct Group {
 
 /// "velocity" of "loading.velocity".
 [[nodiscard]] std::string leaf_of(std::string_view key);
+
+/// Whether it depends on a setting which others have an effect.
+[[nodiscard]] bool decides_use(std::string_view key);
 
 /// Why a setting has no effect, in half a sentence; empty when it has one. A setting without effect that the
 /// user gave is a mistake of theirs, and the resolved scene leaves it out.

@@ -42,6 +42,12 @@ struct Seeds {
   }
 };
 
+Form form_of(const Seeds&) {
+  Form form;
+  form.kind = Kind::list;
+  return form;
+}
+
 /// Tables whose key `seed` may vary.
 struct SeedTables : Texts {
   [[nodiscard]] std::vector<std::string> read(const Value& value) const {
@@ -282,6 +288,19 @@ bool is_study_key(std::string_view key) {
   const auto& fields = study_fields();
   return key == vary || (key != "title" && std::any_of(fields.begin(), fields.end(),
                                                        [&](const auto& f) { return f.key == key; }));
+}
+
+bool is_meant_as_study(const std::string& text, const std::string& path) {
+  const toml::table table = parse_toml(text, path);
+  return std::any_of(table.begin(), table.end(), [](const auto& entry) {
+    return entry.first.str() == "scene" || entry.first.str() == vary;
+  });
+}
+
+std::string scene_of_study(const std::string& text, const std::string& path) {
+  const auto scene = parse_toml(text, path)["scene"].value<std::string>();
+  if (!scene || scene->empty()) return {};
+  return (std::filesystem::path(path).parent_path() / *scene).lexically_normal().string();
 }
 
 StudyPlan parse_study(const std::string& text, const std::string& path) {

@@ -16,6 +16,15 @@ namespace app {
 /// Whether a key stands in study files, and in no scene.
 [[nodiscard]] bool is_study_key(std::string_view key);
 
+/// Whether a text is a study, right or wrong: it names a scene, or says what varies. Other keys of studies
+/// stand in scenes by mistake.
+/// @throws Rejected (Exit::data) where it is no TOML.
+[[nodiscard]] bool is_meant_as_study(const std::string& text, const std::string& path);
+
+/// Path of the scene that the text of a study names; empty when it names none.   @throws as
+/// is_meant_as_study.
+[[nodiscard]] std::string scene_of_study(const std::string& text, const std::string& path);
+
 /// The plan that a text says, with what it leaves out filled in but for the default of seed_of, which needs
 /// the scene.   @param path  for the messages and the folder that paths are relative to.
 /// @throws Rejected (Exit::data) with every complaint.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "libmpm/hdf5_heap.hpp"
+#include "libmpm/hdf5_version.hpp"
 
 namespace mpm::hdf5 {
 namespace {
@@ -169,3 +170,9 @@ void read_all(const Dataset& dataset, hid_t memory_type, void* values) {
 }
 
 }  // namespace mpm::hdf5
+
+std::string mpm::hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  (void)H5get_libversion(&major, &minor, &release);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+}

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "libmpm/faults.hpp"
 #include "libmpm/require.hpp"
 
 namespace mpm {
@@ -45,11 +46,12 @@ std::vector<Phase> concrete_phases() {
   return {aggregate, mortar, itz};
 }
 
-void validate(const Phase& phase, Plane plane) {
+std::vector<Error> faults(const Phase& phase, Plane plane) {
+  Faults faults;
   const double largest_poisson = plane == Plane::strain ? 0.4999 : 0.5;
   const auto finite = [](double value) { return std::isfinite(value); };
   const auto check = [&](bool ok, const char* key, double value, const char* unit, const char* allowed) {
-    require(ok, "phases." + phase.name + "." + key, text(value, unit), allowed);
+    faults.require(ok, "phases." + phase.name + "." + key, text(value, unit), allowed);
   };
   check(finite(phase.young) && phase.young > 0, "young", phase.young, "Pa", "must be > 0");
   check(phase.poisson >= 0 && phase.poisson <= largest_poisson, "poisson", phase.poisson, "",
@@ -68,6 +70,9 @@ void validate(const Phase& phase, Plane plane) {
         "J/m2", "must be > 0, or 0 for a phase that cracks at one blow");
   check(phase.fracture_energy == 0 || phase.can_crack(), "fracture_energy", phase.fracture_energy, "J/m2",
         "is for a phase with a tensile_scale");
+  return std::move(faults).found();
 }
+
+void validate(const Phase& phase, Plane plane) { refuse_first(faults(phase, plane)); }
 
 }  // namespace mpm

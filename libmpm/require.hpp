@@ -3,6 +3,8 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "libmpm/error.hpp"
 
@@ -15,10 +17,27 @@ namespace mpm {
   return buffer;
 }
 
-/// `ok` is written so that not-a-number fails it.   @throws Error unless ok.
-inline void require(bool ok, const std::string& field, const std::string& value, const char* allowed,
-                    const char* cure = "") {
-  if (!ok) throw Error(field, value, allowed, cure);
+/// What is wrong with a scene, in the order in which the rules were looked at.
+class Faults {
+ public:
+  /// `ok` is written so that not-a-number fails it.   @return ok.
+  bool require(bool ok, const std::string& field, const std::string& value, const std::string& allowed,
+               const std::string& cure = "") {
+    if (!ok) found_.emplace_back(field, value, allowed, cure);
+    return ok;
+  }
+
+  void add(const std::vector<Error>& others) { found_.insert(found_.end(), others.begin(), others.end()); }
+
+  [[nodiscard]] std::vector<Error> found() && { return std::move(found_); }
+
+ private:
+  std::vector<Error> found_;
+};
+
+/// @throws the first one, where there is one.
+inline void refuse_first(const std::vector<Error>& faults) {
+  if (!faults.empty()) throw Error(faults.front());
 }
 
 }  // namespace mpm

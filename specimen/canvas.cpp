@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "specimen/error.hpp"
+#include "specimen/faults.hpp"
 #include "specimen/validate.hpp"
 #include "specimen/wording.hpp"
 
@@ -33,6 +34,21 @@ int whole_pixels(const std::string& field, double size, double pixel_size) {
 }
 
 }  // namespace
+
+std::vector<Error> canvas_faults(double width, double height, double pixel_size, const std::string& group) {
+  std::vector<Error> faults;
+  const auto look_at = [&](double across, double up) {
+    try {
+      (void)canvas_of(across, up, pixel_size, group);
+    } catch (const Error& fault) {
+      if (faults.empty() || faults.front().field != fault.field) faults.push_back(fault);
+    }
+  };
+  look_at(width, pixel_size);
+  look_at(pixel_size, height);
+  if (faults.empty()) look_at(width, height);
+  return faults;
+}
 
 Canvas canvas_of(double width, double height, double pixel_size, const std::string& group) {
   if (!(pixel_size > 0) || !std::isfinite(pixel_size))

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "specimen/error.hpp"
+#include "specimen/faults.hpp"
 #include "specimen/settle.hpp"
 #include "specimen/sizes.hpp"
 #include "specimen/wording.hpp"
@@ -65,17 +66,16 @@ void check_sizes(const PackingOptions& options) {
   }
 }
 
-void check(const PackingOptions& options) {
-  check_length("generate.width", options.width);
-  check_length("generate.height", options.height);
+void check_fraction(const PackingOptions& options) {
   if (!(options.fraction >= 0 && options.fraction <= most_fraction)) {
     throw Error("generate.fraction", percent(options.fraction),
                 "must be between 0 and " + percent(most_fraction), "0 makes plain mortar");
   }
+}
+
+void check_gap(const PackingOptions& options) {
   if (!(options.gap >= 0) || !std::isfinite(options.gap))
     throw Error("generate.gap", millimetres(options.gap), "must be >= 0");
-  check_aspects(options);
-  check_sizes(options);
 }
 
 // Ellipses of these diameters [m] with random aspect and direction, not yet anywhere.
@@ -164,8 +164,26 @@ double fraction_within_reach(const PackingOptions& wanted) {
 
 }  // namespace
 
+std::vector<Error> faults(const PackingOptions& options) {
+  std::vector<Error> found;
+  const auto look = [&](auto check) {
+    try {
+      check();
+    } catch (const Error& fault) {
+      found.push_back(fault);
+    }
+  };
+  look([&] { check_length("generate.width", options.width); });
+  look([&] { check_length("generate.height", options.height); });
+  look([&] { check_fraction(options); });
+  look([&] { check_gap(options); });
+  look([&] { check_aspects(options); });
+  if (found.empty()) look([&] { check_sizes(options); });  // which go by the others
+  return found;
+}
+
 Packing pack(const PackingOptions& options) {
-  check(options);
+  if (const std::vector<Error> found = faults(options); !found.empty()) throw Error(found.front());
   if (options.fraction == 0) return {};
   std::optional<Packing> packing = try_to_pack(options);
   if (!packing) refuse_fraction(options);

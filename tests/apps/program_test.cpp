@@ -37,11 +37,11 @@ TEST_F(Program, TellsItsVersion) {
 
 TEST_F(Program, HelpNamesEveryCommandWithAnExample) {
   EXPECT_EQ(run({"--help"}), Exit::ok);
-  for (const char* command :
-       {"generate", "convert", "simulate", "calibrate", "inspect", "report", "plot", "export"})
+  for (const char* command : {"generate", "convert", "scene", "simulate", "calibrate", "inspect", "report",
+                              "plot", "export", "doctor"})
     EXPECT_THAT(out_.str(), HasSubstr(command));
-  for (const std::string command :
-       {"generate", "convert", "simulate", "calibrate", "inspect", "report", "plot", "export"}) {
+  for (const std::string command : {"generate", "convert", "scene", "simulate", "calibrate", "inspect",
+                                    "report", "plot", "export", "doctor"}) {
     EXPECT_EQ(run({command, "--help"}), Exit::ok);
     EXPECT_THAT(out_.str(), HasSubstr("Usage: mesopix " + command));
     EXPECT_THAT(out_.str(), HasSubstr("Example"));
@@ -57,13 +57,11 @@ TEST_F(Program, WithoutArgumentsHelpsAndFails) {
 TEST_F(Program, RefusesWhatItDoesNotKnow) {
   expect_refusal(
       {"simulte"}, Exit::usage,
-      "simulte: unknown command; must be generate, convert, twin, simulate, study, calibrate, inspect, "
-      "report, plot "
-      "or export; did you mean simulate?");
-  expect_refusal(
-      {"--json"}, Exit::usage,
-      "--json: is no command; must be generate, convert, twin, simulate, study, calibrate, inspect, report, "
-      "plot or export; mesopix --help tells what they do");
+      "simulte: unknown command; must be generate, convert, twin, scene, simulate, study, calibrate, "
+      "inspect, report, plot, export or doctor; did you mean simulate?");
+  expect_refusal({"--json"}, Exit::usage,
+                 "--json: is no command; must be generate, convert, twin, scene, simulate, study, calibrate, "
+                 "inspect, report, plot, export or doctor; mesopix --help tells what they do");
   expect_refusal({"generate", "--widht", "3 mm"}, Exit::usage,
                  "--widht: unknown option; did you mean --width?; mesopix generate --help lists them");
   expect_refusal({"generate", "--width"}, Exit::usage,

@@ -167,6 +167,25 @@ TEST(SuggestKey, FindsWhatWasMeant) {
             "motion, handover and output");
 }
 
+TEST(WhyUnused, DependsOnSettingsThatAreKnownToDecide) {
+  for (const mpm::Kinematics kinematics : {mpm::Kinematics::small_strain, mpm::Kinematics::moving})
+    for (const app::Field& decider : app::fields())
+      for (const Value& trial : trial_values()) {
+        Settings settings;
+        settings.scene.kinematics = kinematics;
+        Settings changed = settings;
+        try {
+          decider.set(changed, trial);
+        } catch (const app::Mistake&) {
+          continue;
+        }
+        for (const app::Field& other : app::fields())
+          if (app::why_unused(other.key, settings) != app::why_unused(other.key, changed)) {
+            EXPECT_TRUE(app::decides_use(decider.key)) << decider.key << " " << other.key;
+          }
+      }
+}
+
 TEST(WhyUnused, DependsOnTheSource) {
   Settings settings;
   EXPECT_EQ(app::why_unused("generate.fraction", settings), "");

@@ -4,17 +4,13 @@
 
 #include <cstdio>
 
+#include "apps/machine_peak.hpp"
 #include "libmpm/simulate.hpp"
-#include "tests/bench/machine_peak.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {
 
-bench::MachinePeak machine;
-
-/// Additions and multiplications of one point-update with one Poisson ratio: 43 at the point (strain, stress,
-/// both failure tests, forces) and a quarter of a node's 14.
-constexpr double operations = 46.5;
+app::MachinePeak machine;
 
 enum class Case { elastic, tension, tension_closure, tension_several_ratios };
 
@@ -56,7 +52,7 @@ void lattice(benchmark::State& state, Case kind, mpm::Precision precision, int t
   const double rate = updates / seconds;
   const double peak = precision == mpm::Precision::single ? machine.flops_single : machine.flops_double;
   state.counters["Mupdates/s"] = rate / 1e6;
-  state.counters["%peak"] = 100 * rate * operations / (peak * threads);
+  state.counters["%peak"] = 100 * rate * app::lattice_operations / (peak * threads);
 }
 
 void registered(const char* name, Case kind, mpm::Precision precision, int size, int threads = 1) {
@@ -72,7 +68,7 @@ void registered(const char* name, Case kind, mpm::Precision precision, int size,
 }  // namespace
 
 int main(int argc, char** argv) {
-  machine = bench::measure_machine_peak();
+  machine = app::measure_machine_peak();
   std::printf("machine, one core: %.1f GFlop/s in 64 bits, %.1f in 32 bits (multiply-adds), copy %.1f GB/s\n",
               machine.flops_double / 1e9, machine.flops_single / 1e9, machine.copy_bandwidth / 1e9);
   using P = mpm::Precision;

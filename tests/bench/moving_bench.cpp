@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <string>
 
+#include "apps/machine_peak.hpp"
 #include "libmpm/simulate.hpp"
-#include "tests/bench/machine_peak.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {
 
-bench::MachinePeak machine;
+app::MachinePeak machine;
 
 /// Additions and multiplications of one point-update of MUSL and FLIP, counted in moving_scatter.hpp,
 /// moving_gather.hpp, moving_strain.hpp and moving_nodes.hpp for the tile of N x N nodes with four points in
@@ -86,7 +86,7 @@ void registered(const std::string& name, const Case& one) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  machine = bench::measure_machine_peak();
+  machine = app::measure_machine_peak();
   std::printf("machine, one core: %.1f GFlop/s in 64 bits, %.1f in 32 bits (multiply-adds), copy %.1f GB/s\n",
               machine.flops_double / 1e9, machine.flops_single / 1e9, machine.copy_bandwidth / 1e9);
   using mpm::Shape;

@@ -37,6 +37,7 @@ COMMANDS = {
     "calibrate": Command("calibrate scene.toml --peak-stress 4.5MPa --seeds 1"
                          " -o fitted", ("fitted",), True),
     "study": Command("study study.toml -o members --jobs 1", ("members",)),
+    "scene init": Command("scene init begun.toml --schema begun.json", ("begun.json", "begun.toml")),
     "twin": Command("twin specimen.h5 -n 2 -o twins", ("twins",)),
     "report": Command("report first second -o both.html", ("both.html",)),
     "plot damage": Command("plot first -o damage.pdf", ("damage.pdf",)),

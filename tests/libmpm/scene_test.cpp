@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "libmpm/error.hpp"
+#include "libmpm/faults.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {
@@ -58,6 +59,22 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
   EXPECT_EQ(message_after([](Scene& s) { s.frames = -1; }), "output.frames: -1; must be >= 0");
   EXPECT_EQ(message_after([](Scene& s) { s.phases[samples::mortar]->young = 0; }),
             "phases.mortar.young: 0 Pa; must be > 0");
+}
+
+TEST(Faults, AreToldAllAtOnce) {
+  Scene scene = samples::mortar_block(4, 4);
+  EXPECT_TRUE(mpm::faults(scene).empty());
+  scene.labels(0, 0) = samples::itz;
+  scene.phases[samples::mortar]->young = 0;
+  scene.phases[samples::itz]->poisson = 0.5;
+  scene.loading.stop_strain = 1;
+  scene.cfl = 2;
+  std::vector<std::string> fields;
+  for (const mpm::Error& fault : mpm::faults(scene)) fields.push_back(fault.field);
+  EXPECT_EQ(fields, (std::vector<std::string>{"phases.mortar.young", "phases.itz.poisson",
+                                              "loading.stop_strain", "solver.cfl"}));
+  EXPECT_EQ(mpm::faults_beside_specimen(scene).size(), 2u);
+  EXPECT_EQ(mpm::faults(*scene.phases[samples::mortar], scene.plane).size(), 1u);
 }
 
 TEST(Validate, WantsWholeCellsBothWays) {

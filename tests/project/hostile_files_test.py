@@ -73,8 +73,12 @@ def texts():
     for name, text in {"keys": "a" + ".a" * 100_000 + " = 1", "lists": "a = " + "[" * 100_000, "tables": "a = " + "{a = " * 100_000}.items():
         Path(f"{name}.toml").write_text(text)
         refused(["simulate", f"{name}.toml"], 65, "nested too deep")
+        refused(["scene", "check", f"{name}.toml"], 65, "nested too deep")
     Path("many.toml").write_text("".join(f"key_{i} = 1\n" for i in range(300_000)))
     refused(["simulate", "many.toml"], 65, "and at least 80 more", lines=21)
+    refused(["scene", "check", "many.toml"], 65, "key_1: unknown key", lines=100)
+    Path("broken.toml").write_text("key\n" * 300_000)
+    refused(["scene", "check", "broken.toml"], 65, "not TOML")
     Path("list.csv").write_text("x_mm,y_mm,a_mm,b_mm\n" + "1,2,3\n" * 300_000)
     refused(["generate", "--ellipses", "list.csv", "-o", "s.h5"], 65, "and at least 80 more", lines=21)
     Path("long.toml").write_text("a" * (1 << 23) + " = 1")
@@ -85,8 +89,9 @@ def tricks():
     """What a terminal would obey, in a key, a value, a name of a file."""
     evil = "\x1b[2J\x9b31m\u202e\x07"
     Path("evil.toml").write_text(f'"{evil}" = 1\n')
-    met, said = run("simulate", "evil.toml")
-    assert met == 65, said
+    for words in (["simulate"], ["scene", "check"], ["scene", "check", "--json"]):
+        met, said = run(*words, "evil.toml")
+        assert met == 65, said
     for value in (evil, "\x1b]0;title\x07", "\x9b2J"):
         written = "".join(f"\\u{ord(letter):04x}" for letter in value)
         Path("evil.toml").write_text(f'[loading]\nvelocity = "{written}"\n')

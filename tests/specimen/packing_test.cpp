@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "specimen/error.hpp"
+#include "specimen/faults.hpp"
 
 namespace specimen {
 namespace {
@@ -214,6 +215,25 @@ TEST(Packing, UnusableOptionsAreRefused) {
   EXPECT_THAT(refusal([](PackingOptions& o) { o.aspect_max = not_a_number; }),
               testing::HasSubstr("aspect_max: nan"));
   EXPECT_THAT(refusal([](PackingOptions& o) { o.grading = {}; }), testing::HasSubstr("no size class"));
+}
+
+TEST(Faults, AreToldAllAtOnce) {
+  PackingOptions options;
+  EXPECT_TRUE(faults(options).empty());
+  options.width = 0;
+  options.gap = -1 * mm;
+  options.aspect_min = 0.01;
+  std::vector<std::string> fields;
+  for (const Error& fault : faults(options)) fields.push_back(fault.field);
+  EXPECT_EQ(fields, (std::vector<std::string>{"generate.width", "generate.gap", "generate.aspect_min"}));
+  fields.clear();
+  for (const Error& fault : canvas_faults(20.3 * mm, 10.3 * mm, 0.5 * mm, "generate"))
+    fields.push_back(fault.field);
+  EXPECT_EQ(fields, (std::vector<std::string>{"generate.width", "generate.height"}));
+  EXPECT_EQ(canvas_faults(1, 1, 0, "generate").size(), 1u);
+  EXPECT_EQ(canvas_faults(20.0, 20.0, 0.5 * mm, "generate").front().field, "generate.pixel_size")
+      << "too many pixels";
+  EXPECT_TRUE(canvas_faults(20 * mm, 10 * mm, 0.5 * mm, "generate").empty());
 }
 
 TEST(Packing, AggregatesThatDoNotFitAreRefused) {

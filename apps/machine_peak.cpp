@@ -1,4 +1,4 @@
-#include "tests/bench/machine_peak.hpp"
+#include "apps/machine_peak.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-namespace bench {
+namespace app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -97,6 +97,8 @@ double copy_bandwidth() {
 
 }  // namespace
 
+double measure_flops_double() { return peak_flops<double>(); }
+
 MachinePeak measure_machine_peak() { return {peak_flops<double>(), peak_flops<float>(), copy_bandwidth()}; }
 
-}  // namespace bench
+}  // namespace app
