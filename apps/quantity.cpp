@@ -72,13 +72,6 @@ constexpr std::array units{
     Unit{Dimension::energy, "N/mm", 3, false},
 };
 
-std::vector<std::string> unit_names(Dimension dimension) {
-  std::vector<std::string> names;
-  for (const Unit& unit : units)
-    if (unit.dimension == dimension) names.emplace_back(unit.name);
-  return names;
-}
-
 const Unit* find_unit(std::string_view name, Dimension dimension) {
   const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& unit) {
     return unit.dimension == dimension && unit.name == name;
@@ -176,6 +169,13 @@ std::string number_in(double value, const Unit& unit) {
 }
 
 }  // namespace
+
+std::vector<std::string> unit_names(Dimension dimension) {
+  std::vector<std::string> names;
+  for (const Unit& unit : units)
+    if (unit.dimension == dimension) names.emplace_back(unit.name);
+  return names;
+}
 
 std::string name(Dimension dimension) {
   switch (dimension) {

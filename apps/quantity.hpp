@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace app {
 
@@ -14,6 +15,10 @@ enum class Dimension { ratio, length, area, pressure, angle, velocity, density, 
 [[nodiscard]] std::string example(Dimension dimension);  ///< "0.5 mm"
 
 [[nodiscard]] std::string si_unit(Dimension dimension);  ///< "m"; "1" for ratios
+
+/// "mm", "m", "um" and the others that are understood; for ratios "%" and "microstrain", which may be left
+/// out.
+[[nodiscard]] std::vector<std::string> unit_names(Dimension dimension);
 
 /// "must be a length, e.g. "0.5 mm"".
 [[nodiscard]] std::string must_be(Dimension dimension);
