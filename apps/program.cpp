@@ -44,7 +44,8 @@ class Program {
  public:
   explicit Program(const MoreCommands& more) {
     root_.formatter(help_formatter());
-    root_.set_version_flag("--version", std::string("mesopix ") + version());
+    root_.set_help_flag("-h,--help", "show this help");
+    root_.set_version_flag("--version", std::string("mesopix ") + version(), "tell the version");
     root_.footer(footer_text());
     root_.allow_extras();
     root_.require_subcommand(0, 1);  // a file may be called as a command is

@@ -1,5 +1,7 @@
 #include "apps/manual/man_pages.hpp"
 
+#include <cctype>
+
 #include "apps/exit_codes.hpp"
 #include "apps/manual/expected_value.hpp"
 #include "apps/manual/help_text.hpp"
@@ -104,6 +106,7 @@ std::string command_man_page(const Command& command, const Command& program) {
   if (const std::size_t colon = about.find(": "); whole && colon != std::string::npos)
     about.erase(0, colon + 2);
   ManPage page(joined(command, "-"), 1, about);
+  about.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(about.front())));
   write_synopsis(page, command);
   const HelpText text = help_text(command.footer);
   page.section("DESCRIPTION");

@@ -61,10 +61,14 @@ std::string markdown(const std::vector<Passage>& passages, const char* language)
   return text;
 }
 
+/// Those that the help lists, with the type, then the one by the key.
 std::string names_of(const Option& option) {
+  std::vector<std::string> names = listed_names(option);
+  if (!option.type.empty()) names.back() += " " + option.type;
+  for (const std::string& name : names_by_key(option))
+    if (name != option.names.front()) names.push_back(name);
   std::string text;
-  for (const std::string& name : option.names)
-    text += (text.empty() ? "" : ", ") + code(name + (option.type.empty() ? "" : " " + option.type));
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + code(name);
   return text;
 }
 

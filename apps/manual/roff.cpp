@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "apps/version.hpp"
 
@@ -33,6 +34,22 @@ std::string upper(std::string text) {
   return text;
 }
 
+/// In lines of less than 80 letters, none of which is a request; roff fills them anew.
+std::string wrapped(const std::string& formatted) {
+  constexpr std::size_t longest = 78;
+  std::string text;
+  std::size_t line = 0;
+  std::istringstream words(formatted);
+  for (std::string word; words >> word;) {
+    const bool breaks = line > 0 && line + 1 + word.size() > longest;
+    if (line > 0) text += breaks ? "\n" : " ";
+    if (breaks && word.front() == '.') text += "\\&";
+    line = breaks || line == 0 ? word.size() : line + 1 + word.size();
+    text += word;
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string roff(const std::string& text) {
@@ -62,12 +79,12 @@ void ManPage::subsection(const std::string& title) {
 }
 
 void ManPage::paragraph(const std::string& formatted) {
-  text_ += (fresh_ ? "" : ".PP\n") + formatted + "\n";
+  text_ += (fresh_ ? "" : ".PP\n") + wrapped(formatted);
   fresh_ = false;
 }
 
 void ManPage::item(const std::string& term, const std::string& formatted) {
-  text_ += ".TP\n" + term + "\n" + (formatted.empty() ? "\\&" : formatted) + "\n";
+  text_ += ".TP\n" + term + "\n" + (formatted.empty() ? "\\&\n" : wrapped(formatted));
   fresh_ = false;
 }
 

@@ -17,7 +17,7 @@ std::string described(const SettingWords& setting) {
 void write_types(ManPage& page) {
   page.section("QUANTITIES");
   for (const TypeWords& type : quantity_types())
-    page.item(italic(type.name), "In " + roff(type.units) + ", as \"" + roff(type.example) + "\".");
+    page.item(italic(type.name), "Units: " + roff(type.units) + ". Example: \"" + roff(type.example) + "\".");
   page.item(italic("N"), "A whole number.");
   page.paragraph("Words that a type shows in small letters, as " + bold("auto") +
                  ", stand for themselves, in quotes.");

@@ -1,5 +1,6 @@
 #include "apps/manual/setting_words.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "apps/ellipse_list.hpp"
@@ -34,7 +35,9 @@ std::string allowed_by(const Field& field, Object object) {
 
 std::string default_of(const Value& value) {
   const auto* text = std::get_if<std::string>(&value.data);
-  return text != nullptr && text->empty() ? std::string() : toml_text(value);
+  const auto* list = std::get_if<Value::List>(&value.data);
+  const bool empty = (text != nullptr && text->empty()) || (list != nullptr && list->empty());
+  return empty ? std::string() : toml_text(value);
 }
 
 template <class Field, class Object>
@@ -71,8 +74,13 @@ std::vector<TableWords> scene_tables() {
 }
 
 std::string phase_defaults(const app::PhaseField& property) {
+  const std::vector<mpm::Phase> phases = app::Settings().phases;
+  const auto is_first = [&](const auto& phase) {
+    return property.get(phase) == property.get(phases.front());
+  };
+  if (std::all_of(phases.begin(), phases.end(), is_first)) return toml_text(property.get(phases.front()));
   std::string text;
-  for (const mpm::Phase& phase : app::Settings().phases)
+  for (const mpm::Phase& phase : phases)
     text += (text.empty() ? "" : ", ") + toml_text(property.get(phase)) + " (" + phase.name + ")";
   return text;
 }
@@ -117,8 +125,10 @@ std::vector<TypeWords> quantity_types() {
   for (const Dimension dimension :
        {Dimension::ratio, Dimension::length, Dimension::area, Dimension::pressure, Dimension::angle,
         Dimension::velocity, Dimension::density, Dimension::time, Dimension::energy})
-    types.push_back({app::Quantity{dimension, {}, {}}.type(), app::listed(app::unit_names(dimension)),
-                     app::example(dimension)});
+    types.push_back(
+        {app::Quantity{dimension, {}, {}}.type(),
+         (dimension == Dimension::ratio ? "no unit, " : "") + app::listed(app::unit_names(dimension)),
+         app::example(dimension)});
   return types;
 }
 

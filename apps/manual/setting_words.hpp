@@ -26,7 +26,8 @@ struct TableWords {
 /// All tables with all keys, in the order in which they are written.
 [[nodiscard]] std::vector<TableWords> scene_tables();
 
-/// The default of a property in each of the phases that there are by default: "40 GPa (aggregate), ...".
+/// The default of a property in each of the phases that there are by default: "40 GPa (aggregate), ..."; one
+/// alone where it is the same in all.
 [[nodiscard]] std::string phase_defaults(const app::PhaseField& property);
 
 /// Paragraphs on what a scene file is, and on ellipses that stand in it.

@@ -41,8 +41,9 @@ TEST(Reference, OfCommandsHoldsOptionsAndExamples) {
               AllOf(HasSubstr("- [mesopix simulate](#mesopix-simulate): Break a specimen"),
                     HasSubstr("    - [mesopix study submit](#mesopix-study-submit): "),
                     HasSubstr("\n## mesopix simulate\n"), HasSubstr("\n### mesopix study submit\n"),
-                    HasSubstr("| <code>--platen smooth&#124;rough</code>, "),
-                    HasSubstr("```sh\nmesopix simulate specimen.h5 "), HasSubstr("[scene files](scene.md)")));
+                    HasSubstr("| <code>--platen smooth&#124;rough</code>, `--loading.platen` |"),
+                    HasSubstr("| `-o`, `--output DIR` |"), HasSubstr("```sh\nmesopix simulate specimen.h5 "),
+                    HasSubstr("[scene files](scene.md)")));
 }
 
 TEST(Reference, OfScenesHoldsKeysWithTypeDefaultAndWhatIsAllowed) {

@@ -23,6 +23,13 @@ TEST(Roff, APageBeginsWithItsTitleAndItsName) {
   EXPECT_THAT(page.text(), EndsWith("\n.SH NAME\nmesopix\\-study\\-submit \\- leave it\n"));
 }
 
+TEST(Roff, LongTextIsBrokenBetweenItsWords) {
+  manual::ManPage page("a", 5, "b");
+  page.section("S");
+  page.paragraph(std::string(77, 'x') + " .toml y");
+  EXPECT_THAT(page.text(), EndsWith(std::string(77, 'x') + "\n\\&.toml y\n"));
+}
+
 TEST(Roff, ParagraphsAreSetApartButFromTheirHeading) {
   manual::ManPage page("a", 5, "b");
   page.section("FIRST");

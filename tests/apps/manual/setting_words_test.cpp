@@ -39,6 +39,7 @@ TEST(SettingWords, SayWhatIsAllowed) {
 TEST(SettingWords, SayTheDefaultOfEveryPhase) {
   EXPECT_EQ(words_of("phases.NAME.young").default_value,
             "\"40 GPa\" (aggregate), \"20 GPa\" (mortar), \"12 GPa\" (itz)");
+  EXPECT_EQ(words_of("phases.NAME.poisson").default_value, "0.2");
 }
 
 TEST(SettingWords, NameTheUnitsOfEveryType) {
