@@ -26,16 +26,16 @@ install(FILES ${PROJECT_BINARY_DIR}/mesopixConfig.cmake ${PROJECT_BINARY_DIR}/me
   ${CMAKE_CURRENT_LIST_DIR}/FindHDF5C.cmake ${CMAKE_CURRENT_LIST_DIR}/FindOpenCVParts.cmake DESTINATION ${package_dir})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-if(TARGET manual)
+if(TARGET manual)  # optional: who builds the target mesopix alone may install without a manual
   set(manual ${PROJECT_BINARY_DIR}/manual)
   foreach(section 1 5)
-    install(DIRECTORY ${manual}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT program
+    install(DIRECTORY ${manual}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT program OPTIONAL
       FILES_MATCHING PATTERN "*.${section}")
   endforeach()
   install(FILES ${manual}/completions/mesopix.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-    RENAME mesopix COMPONENT program)
+    RENAME mesopix COMPONENT program OPTIONAL)
   install(FILES ${manual}/completions/_mesopix DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
-    COMPONENT program)
+    COMPONENT program OPTIONAL)
   install(FILES ${manual}/completions/mesopix.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
-    COMPONENT program)
+    COMPONENT program OPTIONAL)
 endif()

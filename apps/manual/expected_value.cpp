@@ -110,6 +110,8 @@ std::vector<Option> with_phases(const std::vector<Option>& options) {
   return all;
 }
 
+std::string option_by_key(const Command& command) { return "--" + app::with_dashes(keys_of(command).back()); }
+
 std::vector<std::string> keys_of(const Command& command) {
   std::vector<std::string> names;
   for (const Option& option : command.options)

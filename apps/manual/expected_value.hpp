@@ -36,4 +36,7 @@ struct ExpectedValue {
 /// The keys of scene files that the command takes behind --set; none where it has no --set.
 [[nodiscard]] std::vector<std::string> keys_of(const Command& command);
 
+/// One of those keys as an option, for a sentence on them: "--generate.width".   @pre there is a key.
+[[nodiscard]] std::string option_by_key(const Command& command);
+
 }  // namespace manual

@@ -63,7 +63,7 @@ void write_options(ManPage& page, const Command& command) {
   if (keys_of(command).empty()) return;
   page.subsection("Settings by their keys");
   page.paragraph("Every setting of a scene that the command takes is also an option by its key, as " +
-                 bold("--loading.velocity") + ", and may be given with " + bold("--set") +
+                 bold(option_by_key(command)) + ", and may be given with " + bold("--set") +
                  ". The keys are those of " + bold("mesopix-scene") + "(5). In names of options " +
                  bold("-") + " and " + bold("_") + " are the same.");
 }

@@ -96,7 +96,7 @@ std::string command_section(const Command& command) {
   for (const std::string& group : option_groups(command)) page += options_table(command, group);
   if (!keys_of(command).empty())
     page += "Every setting of a scene that the command takes is also an option by its key, as " +
-            code("--loading.velocity") + ", and may be given with " + code("--set") +
+            code(option_by_key(command)) + ", and may be given with " + code("--set") +
             "; the keys are those of [scene files](scene.md).\n\n";
   return page + markdown(text.examples, "sh");
 }

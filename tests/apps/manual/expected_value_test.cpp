@@ -65,6 +65,7 @@ TEST(ExpectedValue, KeysAreThoseThatTheCommandTakes) {
   EXPECT_THAT(keys_of(command_named("generate")), Not(Contains("loading.velocity")));
   EXPECT_THAT(keys_of(command_named("generate")), Not(Contains("specimen.file")));
   EXPECT_THAT(keys_of(command_named("inspect")), IsEmpty());
+  EXPECT_EQ(option_by_key(command_named("convert")), "--itz.segments");
 }
 
 TEST(ExpectedValue, NamesByKeyHaveADot) {
