@@ -91,7 +91,8 @@ std::vector<std::string> example_commands(const std::string& footer) {
 std::vector<std::string> shell_words(const std::string& line) {
   std::vector<std::string> words;
   std::istringstream stream(line);
-  for (std::string word; stream >> std::quoted(word) && word != "|" && word != "#";) words.push_back(word);
+  const auto ends = [](const std::string& word) { return word == "|" || word == ">" || word == "#"; };
+  for (std::string word; stream >> std::quoted(word) && !ends(word);) words.push_back(word);
   return words;
 }
 

@@ -31,7 +31,7 @@ struct HelpText {
 /// Each line that begins with "  mesopix ", without the blanks.
 [[nodiscard]] std::vector<std::string> example_commands(const std::string& footer);
 
-/// A command line cut into words as a shell does, up to a pipe or a comment.
+/// A command line cut into words as a shell does, up to a pipe, a > or a comment.
 /// @pre no other means of the shell than double quotes round whole words.
 [[nodiscard]] std::vector<std::string> shell_words(const std::string& line);
 

@@ -45,6 +45,7 @@ TEST(HelpText, CutsACommandAsAShellDoes) {
               ElementsAre("mesopix", "study", "a.toml", "--until-ci", "2 %"));
   EXPECT_THAT(manual::shell_words("mesopix a --commands | parallel"),
               ElementsAre("mesopix", "a", "--commands"));
+  EXPECT_THAT(manual::shell_words("mesopix a > b"), ElementsAre("mesopix", "a"));
   EXPECT_THAT(manual::shell_words("mesopix a # b"), ElementsAre("mesopix", "a"));
 }
 
