@@ -45,17 +45,15 @@ _mesopix_files() {
 
 constexpr const char* ending = R"(
 _mesopix() {
-  local cur=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]} command=mesopix i
+  local cur=${COMP_WORDS[COMP_CWORD]} at=$((COMP_CWORD - 1)) command=mesopix option i
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     _mesopix_is_command "$command ${COMP_WORDS[i]}" && command+=" ${COMP_WORDS[i]}"
   done
-  if [[ $cur == = ]]; then  # a word of its own in --option=value
-    cur=
-  elif [[ $option == = ]]; then
-    option=${COMP_WORDS[COMP_CWORD - 2]}
-  fi
-  [[ $option != -* && ${COMP_WORDS[COMP_CWORD - 3]:-} == --set ]] && option=--${option//_/-}
+  [[ ${COMP_WORDS[at]} == = ]] && ((at--))  # a word of its own in --option=value
+  option=${COMP_WORDS[at]}
+  [[ ${COMP_WORDS[at + 1]} == = && ${COMP_WORDS[at - 1]} == --set ]] && option=--${option//_/-}  # --set key=value
+  [[ $cur == = ]] && cur=
   _mesopix_value "$command" "$option" && return
   if [[ $cur == -* ]]; then
     _mesopix_options "$command"
@@ -82,6 +80,10 @@ std::string action(const ExpectedValue& value, const std::vector<std::string>& k
   return text.empty() ? ":" : text;
 }
 
+std::string case_line(const std::string& pattern, const std::string& does) {
+  return "    " + pattern + ") " + does + " ;;\n";
+}
+
 /// Options of one command that wait for the same.
 std::string value_cases(const Command& command, const Command& program) {
   std::map<std::string, std::string> patterns;  // by action
@@ -93,7 +95,7 @@ std::string value_cases(const Command& command, const Command& program) {
       pattern += (pattern.empty() ? "" : " | ") + quoted(joined(command, " ") + " " + name);
     }
   std::string text;
-  for (const auto& [does, pattern] : patterns) text += "    " + pattern + ") " + does + " ;;\n";
+  for (const auto& [does, pattern] : patterns) text += case_line(pattern, does);
   return text;
 }
 
@@ -103,7 +105,7 @@ std::string by_command(const std::string& name, const Command& program, const Li
   std::string text = "\n" + name + "() {\n  case \"$1\" in\n";
   for (const Command* command : every_command(program))
     if (const std::string does = line(*command); !does.empty())
-      text += "    " + quoted(joined(*command, " ")) + ") " + does + " ;;\n";
+      text += case_line(quoted(joined(*command, " ")), does);
   return text + "  esac\n}\n";
 }
 

@@ -31,6 +31,10 @@ cases = [
     ("mesopix help sim", {"simulate"}, {"generate"}),
 ]
 in_one_word = [("mesopix simulate --platen=r", {"rough"}, {"smooth"})]  # of which each shell shows another part
+if shell == "bash":
+    cases += [("mesopix simulate --set loading.platen=", {"smooth", "rough"}, {"specimen.h5"}),
+              ("mesopix simulate --set loading.platen=r", {"rough"}, {"smooth"}),
+              ("mesopix simulate --platen=", {"smooth", "rough"}, {"specimen.h5"})]
 files = ("specimen.h5", "study.toml", "picture.png", "table.csv")
 
 
