@@ -127,7 +127,9 @@ std::string setting_row(const SettingWords& setting) {
 
 std::string commands_page(const Command& program) {
   std::string page = "# Commands\n\n" + list_of_commands(program);
-  page += "Every command has " + code("--help") + ".\n\n";
+  page += "Every command has " + code("--help") + ". On terminals errors are red and headings bold, unless " +
+          code("NO_COLOR") + " is set or " + code("TERM") + " is " + code("dumb") +
+          "; what the program computes depends on nothing in its environment.\n\n";
   for (const Command* command : every_command(program))
     if (command != &program) page += command_section(*command);
   page.pop_back();

@@ -43,7 +43,7 @@ TEST(Reference, OfCommandsHoldsOptionsAndExamples) {
                     HasSubstr("\n## mesopix simulate\n"), HasSubstr("\n### mesopix study submit\n"),
                     HasSubstr("| <code>--platen smooth&#124;rough</code>, `--loading.platen` |"),
                     HasSubstr("| `-o`, `--output DIR` |"), HasSubstr("```sh\nmesopix simulate specimen.h5 "),
-                    HasSubstr("[scene files](scene.md)")));
+                    HasSubstr("[scene files](scene.md)"), HasSubstr("`NO_COLOR`")));
 }
 
 TEST(Reference, OfScenesHoldsKeysWithTypeDefaultAndWhatIsAllowed) {
