@@ -63,6 +63,12 @@ const Offer& offer_of_convert() {
   return offer;
 }
 
+const Offer& offer_of_twin() {
+  static const Offer offer{
+      {"convert", "itz"}, {"specimen", "generate"}, {"specimen.file", "specimen.picture"}};
+  return offer;
+}
+
 const Offer& offer_of_simulate() {
   static const Offer offer{{"phases", "loading", "damage", "solver", "motion", "handover", "output"},
                            {"specimen", "generate", "convert", "itz"},

@@ -19,6 +19,7 @@ struct Offer {
 
 [[nodiscard]] const Offer& offer_of_generate();
 [[nodiscard]] const Offer& offer_of_convert();
+[[nodiscard]] const Offer& offer_of_twin();
 [[nodiscard]] const Offer& offer_of_simulate();
 [[nodiscard]] const Offer& offer_of_calibrate();
 

@@ -43,10 +43,18 @@ struct StudyPlan {
   std::vector<StudyParameter> parameters;  ///< in the order of the file
 };
 
+/// A text, and the path of the file that it stands in.
+struct TextFile {
+  std::string text;
+  std::string path;
+};
+
 /// A plan with its scene.
 struct Study {
   StudyPlan plan;
   SceneFile base;
+  TextFile file;   ///< that says the plan
+  TextFile scene;  ///< that says the base
 };
 
 }  // namespace app

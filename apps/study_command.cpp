@@ -14,7 +14,6 @@
 #include "apps/study_closing.hpp"
 #include "apps/study_collect_command.hpp"
 #include "apps/study_file.hpp"
-#include "apps/study_growth.hpp"
 #include "apps/study_line.hpp"
 #include "apps/study_status_command.hpp"
 #include "apps/study_submit_command.hpp"
@@ -145,38 +144,30 @@ Exit StudyCommand::run_part(const Study& study, const std::vector<Member>& membe
 
 /// Runs the study, and as many seeds more as --until-ci asks for.
 Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& console) const {
-  const double share = until_ci_.empty() ? 0 : until_ci();
   const InterruptGuard guard;
-  for (;;) {
-    const StudyTally tally = work(study, members, guard, console);
-    if (tally.open() > 0) return say_interrupted(tally, members, console);
-    const StudyResults results = read_results(input_.folder(), members);
-    const std::size_t seeds = study.plan.seeds.size();
-    const std::size_t wanted =
-        share > 0 ? seeds_to_go_on_with(peak_estimates(members, results), seeds, share) : seeds;
-    if (wanted == seeds) {
-      finish(study, members, results, share, console);
-      return Exit::ok;
-    }
-    study.plan.seeds = grown_seeds(study.plan.seeds, wanted);
-    members = list_members(study);
-  }
+  const WholeStudy whole = run_whole_study(
+      std::move(study), std::move(members), input_.folder(), until_ci(),
+      [&](const Study& grown, const std::vector<Member>& all) { return work(grown, all, guard, console); });
+  if (!whole.results) return say_interrupted(whole.tally, whole.members, console);
+  finish(whole, console);
+  return Exit::ok;
 }
 
 /// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
-void StudyCommand::finish(const Study& study, const std::vector<Member>& members, const StudyResults& results,
-                          double share, Console& console) const {
-  close_study(input_.folder(), study, members, results, console);
-  if (json_) console.out << json_text(study_json(input_.folder(), study, members, results));
-  refuse_failures(study, input_.folder(), members);
-  const double width = largest_half_width(peak_estimates(members, results));
-  if (share > 0 && !(width <= share))
+void StudyCommand::finish(const WholeStudy& whole, Console& console) const {
+  close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
+  if (json_)
+    console.out << json_text(study_json(input_.folder(), whole.study, whole.members, *whole.results));
+  refuse_failures(whole.study, input_.folder(), whole.members);
+  if (const double share = until_ci(); share > 0 && !(whole.half_width() <= share))
     throw Rejected(Exit::data, complaint("--until-ci", until_ci_,
-                                         fmt::format("not met with {} seeds", study.plan.seeds.size()),
+                                         fmt::format("not met with {} seeds", whole.study.plan.seeds.size()),
                                          "choose a larger share"));
 }
 
+/// 0 when it is not given.
 double StudyCommand::until_ci() const {
+  if (until_ci_.empty()) return 0;
   return read_option("--until-ci", until_ci_, Quantity{Dimension::ratio, inside(0, 1), {}});
 }
 
@@ -189,7 +180,7 @@ Exit StudyCommand::run(Console& console) {
   console.quiet = quiet_;
   check_options();
   (void)workers();
-  if (!until_ci_.empty()) (void)until_ci();
+  (void)until_ci();
   const Study study = read_study(input_.file());
   if (!until_ci_.empty() && study.plan.seeds.empty())
     throw Rejected(Exit::usage, complaint("--until-ci", until_ci_, "needs a study with seeds",
@@ -197,7 +188,7 @@ Exit StudyCommand::run(Console& console) {
   const std::vector<Member> all = list_members(study);
   const std::vector<Member> members = members_.empty() ? all : wanted(all);
   check_scenes(study, members);
-  input_.folder().open(study, all, input_.file());
+  input_.folder().open(study, all);
   if (retry_)
     for (const Member& member : members) input_.folder().forget_failure(member);
   return members_.empty() ? run_whole(study, members, console) : run_part(study, members, console);

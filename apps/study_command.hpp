@@ -8,8 +8,7 @@
 #include "apps/command.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/study_input.hpp"
-#include "apps/study_results.hpp"
-#include "apps/study_run.hpp"
+#include "apps/study_whole.hpp"
 
 namespace app {
 
@@ -30,8 +29,7 @@ class StudyCommand : public Command {
   [[nodiscard]] Exit run_whole(Study study, std::vector<Member> members, Console& console) const;
   [[nodiscard]] Exit say_interrupted(const StudyTally& tally, const std::vector<Member>& members,
                                      Console& console) const;
-  void finish(const Study& study, const std::vector<Member>& members, const StudyResults& results,
-              double share, Console& console) const;
+  void finish(const WholeStudy& whole, Console& console) const;
 
   StudyInput input_;
   std::vector<std::unique_ptr<Command>> below_;  ///< submit, status, collect

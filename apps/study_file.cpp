@@ -234,9 +234,9 @@ std::vector<std::string> default_seed_of(const Settings& settings) {
 }
 
 /// With what follows from its scene.   @throws Rejected for a scene that is not valid.
-Study completed(Study study, const std::string& path) {
+Study completed(Study study) {
   const Resolved resolved = resolve(study.base, {});
-  if (study.plan.title.empty()) study.plan.title = std::filesystem::path(path).stem().string();
+  if (study.plan.title.empty()) study.plan.title = std::filesystem::path(study.file.path).stem().string();
   if (study.plan.seed_of.empty()) study.plan.seed_of = default_seed_of(resolved.settings);
   return study;
 }
@@ -288,15 +288,24 @@ StudyPlan parse_study(const std::string& text, const std::string& path) {
   return Walk(path).read(parse_toml(text, path));
 }
 
-Study read_study(const std::string& path) {
-  StudyPlan plan = parse_study(read_text_file(path), path);
-  SceneFile base = read_scene_file(plan.scene);
-  return completed({std::move(plan), std::move(base)}, path);
+bool is_study(const std::string& text, const std::string& path) {
+  const toml::table table = parse_toml(text, path);
+  return std::any_of(table.begin(), table.end(),
+                     [](const auto& entry) { return is_study_key(entry.first.str()); });
 }
 
-Study study_of(const std::string& text, const std::string& path, const std::string& scene_text,
-               const std::string& scene_path) {
-  return completed({parse_study(text, path), parse_scene(scene_text, scene_path)}, path);
+Study read_study(const std::string& path) {
+  TextFile file{read_text_file(path), path};
+  StudyPlan plan = parse_study(file.text, path);
+  TextFile scene{read_text_file(plan.scene), plan.scene};
+  SceneFile base = parse_scene(scene.text, scene.path);
+  return completed({std::move(plan), std::move(base), std::move(file), std::move(scene)});
+}
+
+Study study_of(TextFile file, TextFile scene) {
+  StudyPlan plan = parse_study(file.text, file.path);
+  SceneFile base = parse_scene(scene.text, scene.path);
+  return completed({std::move(plan), std::move(base), std::move(file), std::move(scene)});
 }
 
 }  // namespace app

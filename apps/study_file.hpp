@@ -21,12 +21,15 @@ namespace app {
 /// @throws Rejected (Exit::data) with every complaint.
 [[nodiscard]] StudyPlan parse_study(const std::string& text, const std::string& path);
 
+/// Whether a TOML text is that of a study: has a key that no scene has.   @throws Rejected for what is no
+/// TOML.
+[[nodiscard]] bool is_study(const std::string& text, const std::string& path);
+
 /// The study of a file, its scene read and found valid.
 /// @throws Rejected for a study or a scene that is wrong, or cannot be read.
 [[nodiscard]] Study read_study(const std::string& path);
 
 /// The same from the texts of a study and its scene; the paths are for messages and folders.
-[[nodiscard]] Study study_of(const std::string& text, const std::string& path, const std::string& scene_text,
-                             const std::string& scene_path);
+[[nodiscard]] Study study_of(TextFile file, TextFile scene);
 
 }  // namespace app

@@ -34,10 +34,20 @@ struct FileTexts {
   friend bool operator==(const FileTexts&, const FileTexts&) = default;
 };
 
-/// Empty where there is no folder, or an empty one.
-FileTexts kept_texts(const fs::path& folder) {
+/// Whether a study may begin here: nothing is in the folder, or the specimen that is to be broken.
+bool is_free(const fs::path& folder) {
   std::error_code error;
-  if (!is_there(folder) || (fs::is_directory(folder, error) && fs::is_empty(folder, error))) return {};
+  if (!is_there(folder)) return true;
+  if (!fs::is_directory(folder, error)) return false;
+  const fs::directory_iterator entries(folder, error);
+  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().filename() == "specimen.h5";
+  });
+}
+
+/// Empty where a study may begin.
+FileTexts kept_texts(const fs::path& folder) {
+  if (is_free(folder)) return {};
   if (!is_there(folder / "study.toml"))
     throw Rejected(Exit::usage, complaint("-o", folder.string(), "holds something else than a study",
                                           "choose another folder"));
@@ -77,12 +87,11 @@ std::string cure_of(const Study& kept, const Study& given) {
 
 }  // namespace
 
-void StudyFolder::open(const Study& study, const std::vector<Member>& members,
-                       const std::string& study_file) const {
-  const FileTexts given{read_text_file(study_file), read_text_file(study.plan.scene)};
+void StudyFolder::open(const Study& study, const std::vector<Member>& members) const {
+  const FileTexts given{study.file.text, study.scene.text};
   const FileTexts kept = kept_texts(path_);
   if (!kept.study.empty() && kept != given) {
-    const Study before = study_of(kept.study, study_file, kept.scene, study.plan.scene);
+    const Study before = study_of({kept.study, study.file.path}, {kept.scene, study.scene.path});
     if (!only_grew(before, members))
       throw Rejected(Exit::usage, complaint("-o", path_.string() + " holds another study",
                                             differences_text(kept, given), cure_of(before, study)));

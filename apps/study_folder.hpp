@@ -1,5 +1,6 @@
 /// What a study keeps on disk.
 ///   study.toml, scene.toml   the study and its scene, as they were given
+///   specimen.h5              that they break, where a script gave one
 ///   members/ID.h5            result of a member (mpm::write_result), named by what it depends on
 ///   members/ID/checkpoints   of a member that was interrupted (CheckpointFolder)
 ///   failures/ID.json         why a member has none
@@ -21,10 +22,9 @@ class StudyFolder {
 
   /// Make the folder, or go on with one that holds this study or a smaller one: whose members are all among
   /// the given ones.
-  /// @param study_file  the text of which the folder keeps.
   /// @throws Rejected (Exit::usage) for a folder of something else, saying what differs; (Exit::io),
   /// mpm::FileError.
-  void open(const Study& study, const std::vector<Member>& members, const std::string& study_file) const;
+  void open(const Study& study, const std::vector<Member>& members) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }

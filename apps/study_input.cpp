@@ -37,7 +37,7 @@ OpenStudy open_study(const StudyInput& input) {
   input.check();
   OpenStudy open{read_study(input.file()), {}, input.folder()};
   open.members = list_members(open.study);
-  open.folder.open(open.study, open.members, input.file());
+  open.folder.open(open.study, open.members);
   return open;
 }
 

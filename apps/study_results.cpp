@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "apps/study_specimens.hpp"
+#include "apps/hdf5_turn.hpp"
 #include "libmpm/error.hpp"
 #include "libmpm/result_file.hpp"
 #include "specimen/digest.hpp"
@@ -34,7 +34,7 @@ Curve thinned(const mpm::Result& result) {
 
 mpm::Result read_member(const StudyFolder& folder, const Member& member) {
   const std::string path = folder.result_file(member).string();
-  const std::scoped_lock lock(hdf5_mutex());
+  const Hdf5Turn turn = hdf5_turn();
   if (specimen::sha256_of_text(mpm::read_scene_text(path)).rfind(member.id, 0) != 0)
     throw mpm::FileError(path, "is the result of another scene", "", "remove it, and run the study again");
   return mpm::read_result(path);

@@ -8,6 +8,7 @@
 #include <new>
 #include <optional>
 
+#include "apps/hdf5_turn.hpp"
 #include "apps/job_pool.hpp"
 #include "apps/member_checkpoints.hpp"
 #include "apps/scene_builder.hpp"
@@ -75,7 +76,7 @@ class Runner {
     const mpm::Result result = checkpoints.run(scene, [this](const mpm::Progress&) { return goes_on(); });
     if (result.stop == mpm::StopReason::interrupted) return false;
     {
-      const std::scoped_lock lock(hdf5_mutex());
+      const Hdf5Turn turn = hdf5_turn();
       mpm::write_result(folder_.result_file(member).string(), result, member_scene(settings));
     }
     checkpoints.remove();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/hdf5_turn.hpp"
 #include "apps/job.hpp"
 #include "apps/scene_text.hpp"
 
@@ -16,17 +17,11 @@ std::string key_of(const Settings& settings) {
 }
 
 Shared make(const Settings& settings) {
-  std::unique_lock lock(hdf5_mutex(), std::defer_lock);
-  if (source_of(settings) == Source::file) lock.lock();
+  const Hdf5Turn turn = source_of(settings) == Source::file ? hdf5_turn() : Hdf5Turn();
   return std::make_shared<const specimen::Specimen>(prepare_cells(settings).specimen);
 }
 
 }  // namespace
-
-std::mutex& hdf5_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 Shared SpecimenStore::of(const Settings& settings) {
   std::promise<Shared> promise;

@@ -13,9 +13,6 @@
 
 namespace app {
 
-/// HDF5 serves one thread at a time: to be held while one of its files is read or written.
-[[nodiscard]] std::mutex& hdf5_mutex();
-
 /// Makes each specimen once for all members that follow each other with the same settings of it. May be
 /// asked by several threads at once.
 class SpecimenStore {

@@ -3,7 +3,7 @@
 
 #include "apps/command.hpp"
 #include "apps/scene_file.hpp"
-#include "apps/twinning.hpp"
+#include "apps/twin_wish.hpp"
 
 namespace app {
 
@@ -14,18 +14,9 @@ class TwinCommand : public Command {
   Exit run(Console& console) override;
 
  private:
-  [[nodiscard]] specimen::TwinOptions twin_options() const;
-  [[nodiscard]] TwinTask make_task(const Settings& settings, specimen::Specimen original) const;
-
   SettingOptions settings_;
   std::string input_;
-  std::string count_ = "10";
-  std::string seed_ = "1";
-  std::string width_;
-  std::string height_;
-  std::string pixel_size_;
-  std::string gap_ = "auto";
-  std::string border_ = "auto";
+  TwinWish wish_;
   std::string output_;
   bool overwrite_ = false;
   bool json_ = false;

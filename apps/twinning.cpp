@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <mutex>
-
+#include "apps/hdf5_turn.hpp"
 #include "apps/job_pool.hpp"
 #include "apps/quantity.hpp"
 #include "apps/specimen_output.hpp"
@@ -35,7 +34,6 @@ std::vector<TwinRecord> make_twins(const TwinTask& task, const std::filesystem::
                                    const std::function<bool()>& stopped,
                                    const std::function<void(std::size_t)>& made) {
   std::vector<TwinRecord> records(static_cast<std::size_t>(task.count));
-  std::mutex writing;  // HDF5 serves one thread at a time
   std::vector<std::function<void()>> jobs;
   for (std::size_t i = 0; i < records.size(); ++i)
     jobs.emplace_back([&, i] {
@@ -47,7 +45,7 @@ std::vector<TwinRecord> make_twins(const TwinTask& task, const std::filesystem::
           seed, twin_file(static_cast<int>(i) + 1), specimen::describe(specimen), twin.relaxed, twin.lost,
           {}};
       if (i < pictured_twins) records[i].picture = specimen::preview(specimen.mask);
-      const std::scoped_lock lock(writing);
+      const Hdf5Turn turn = hdf5_turn();
       (void)write_specimen_output((folder / records[i].file).string(), specimen);
     });
   records.resize(run_jobs(jobs, core_count(), {made, [&] { return !stopped(); }}));

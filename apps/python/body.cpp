@@ -120,6 +120,11 @@ app::Prepared Broken::cells() const {
   return unlocked(settings, [&] { return app::prepare_cells(settings); });
 }
 
+app::Prepared Broken::whole() const {
+  if (given) return *given;
+  return unlocked(resolved.settings, [&] { return app::prepare_specimen(resolved.settings); });
+}
+
 Broken broken_of(const py::object& input, std::vector<app::Assignment> given,
                  app::Resolved (*resolve)(const std::string& path, std::vector<app::Assignment> given)) {
   if (!py::isinstance<Body>(input)) {

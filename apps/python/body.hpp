@@ -33,6 +33,8 @@ struct Broken {
 
   /// Make the specimen, or take the given one, in whole cells.   @pre called with the lock.
   [[nodiscard]] app::Prepared cells() const;
+  /// The same as it is.
+  [[nodiscard]] app::Prepared whole() const;
 };
 
 /// @param resolve  reads what stands at a path.   @throws app::Rejected.

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include <atomic>
-#include <chrono>
-#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -78,23 +75,12 @@ app::Resolved resolve_path(const std::string& path, std::vector<app::Assignment>
   return app::resolve_scene(path, given);
 }
 
-/// The search goes on in a thread of its own, so that Ctrl-C finds the main thread awake.
 app::Calibration search(const app::CalibrationTask& task, Spectator& spectator) {
-  std::atomic<bool> stopped = false;
-  const auto stop_unless = [&](bool goes_on) {
-    if (!goes_on) stopped = true;
-  };
-  const auto observer = [&](const app::Calibration& so_far) {
-    stop_unless(spectator.look([&] { return glance_at(so_far); }));
-  };
-  const py::gil_scoped_release unlock;
-  auto found = std::async(std::launch::async, [&] {
+  return work_apart(spectator, [&](Overseer& overseer) {
     return app::calibrate(
-        task, [&] { return stopped.load(); }, observer);
+        task, [&] { return !overseer.goes_on(); },
+        [&](const app::Calibration& so_far) { overseer.look([&] { return glance_at(so_far); }); });
   });
-  while (found.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-    stop_unless(spectator.go_on());
-  return found.get();
 }
 
 void conclude(const FitPointer& fit, const Spectator& spectator) {

@@ -1,10 +1,12 @@
 #include <pybind11/pybind11.h>
 
+#include "apps/hdf5_turn.hpp"
 #include "apps/python/body.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/fit.hpp"
 #include "apps/python/options.hpp"
 #include "apps/python/run.hpp"
+#include "apps/python/study.hpp"
 #include "apps/version.hpp"
 
 namespace {
@@ -12,7 +14,8 @@ namespace {
 const app::Offer& offer_named(const std::string& function) {
   if (function == "generate") return app::offer_of_generate();
   if (function == "convert") return app::offer_of_convert();
-  if (function == "simulate") return app::offer_of_simulate();
+  if (function == "twin") return app::offer_of_twin();
+  if (function == "simulate" || function == "study") return app::offer_of_simulate();
   if (function == "calibrate") return app::offer_of_calibrate();
   throw pybind11::value_error(function + " takes no settings");
 }
@@ -25,9 +28,13 @@ PYBIND11_MODULE(_core, module) {
   options.disable_function_signatures();
   module.attr("version") = app::version();
   binding::translate_refusals();
+  // Python's lock is that of h5py too.
+  app::take_hdf5_turns_by([] { return std::make_shared<const pybind11::gil_scoped_acquire>(); });
   binding::bind_specimen(module);
   binding::bind_run(module);
   binding::bind_fit(module);
+  binding::bind_study(module);
+  binding::bind_twins(module);
   module.def("described",
              [](const std::string& function) { return binding::described(offer_named(function)); });
 }

@@ -63,13 +63,6 @@ app::Value with_unit(const app::Field& field, app::Value value) {
   return {app::format_quantity(number, field.measure->dimension)};
 }
 
-app::Value value_of(const app::Field& field, const py::handle value) {
-  if (py::isinstance<py::str>(value)) return app::from_command_line(field.kind, value.cast<std::string>());
-  if (is_path(value)) return {path_text(py::reinterpret_borrow<py::object>(value))};
-  if (is_list(value)) return list_of(value);
-  return with_unit(field, scalar(value));
-}
-
 std::string written(py::handle value) {
   return py::isinstance<py::str>(value) ? value.cast<std::string>() : py::repr(value).cast<std::string>();
 }
@@ -118,6 +111,13 @@ py::tuple row(const std::string& name, const std::string& key, const Field& fiel
 }
 
 }  // namespace
+
+app::Value value_of(const app::Field& field, py::handle value) {
+  if (py::isinstance<py::str>(value)) return app::from_command_line(field.kind, value.cast<std::string>());
+  if (is_path(value)) return {path_text(py::reinterpret_borrow<py::object>(value))};
+  if (is_list(value)) return list_of(value);
+  return with_unit(field, scalar(value));
+}
 
 std::vector<app::Assignment> assignments(const app::Offer& offer, const py::dict& settings,
                                          const py::dict& options) {

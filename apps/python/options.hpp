@@ -21,6 +21,9 @@ namespace py = pybind11;
 [[nodiscard]] std::vector<app::Assignment> assignments(const app::Offer& offer, const py::dict& settings,
                                                        const py::dict& options);
 
+/// A value of a setting.   @throws app::Mistake for what is no value at all.
+[[nodiscard]] app::Value value_of(const app::Field& field, py::handle value);
+
 /// An option beside the settings, as the text that the program would get: numbers in SI units.
 /// @param unit  of numbers, "Pa"; empty = none.
 [[nodiscard]] std::string option_text(const py::object& value, const char* unit = "");

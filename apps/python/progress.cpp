@@ -26,4 +26,12 @@ py::object glance_at(const app::Calibration& so_far) {
                                        last.factors, last.peak.stress, last.peak.strain));
 }
 
+py::object glance_at(const app::StudyTally& tally) {
+  return named("StudyProgress", py::make_tuple(tally.done, tally.failed, tally.before, tally.all));
+}
+
+py::object glance_at_twins(std::size_t done, int count) {
+  return named("TwinProgress", py::make_tuple(done, count));
+}
+
 }  // namespace binding

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "apps/calibration.hpp"
+#include "apps/study_run.hpp"
 #include "libmpm/simulate.hpp"
 
 namespace binding {
@@ -13,5 +14,11 @@ namespace binding {
 
 /// mesopix.Trial of a calibration.   @pre it has a history.
 [[nodiscard]] pybind11::object glance_at(const app::Calibration& so_far);
+
+/// mesopix.StudyProgress.
+[[nodiscard]] pybind11::object glance_at(const app::StudyTally& tally);
+
+/// mesopix.TwinProgress.
+[[nodiscard]] pybind11::object glance_at_twins(std::size_t done, int count);
 
 }  // namespace binding

@@ -20,7 +20,7 @@ Spectator::Spectator(py::object progress)
 
 bool Spectator::is_due() {
   const Clock::time_point now = Clock::now();
-  if (now < next_look_) return false;
+  if (now < next_look_.load()) return false;
   next_look_ = now + between_looks;
   return true;
 }

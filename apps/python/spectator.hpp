@@ -3,8 +3,10 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
+#include <future>
 #include <optional>
 
 namespace binding {
@@ -36,7 +38,36 @@ class Spectator {
   py::object progress_;
   std::optional<py::error_already_set> raised_;
   bool ended_ = false;  ///< by StopIteration
-  std::chrono::steady_clock::time_point next_look_;
+  std::atomic<std::chrono::steady_clock::time_point> next_look_;
 };
+
+/// What work in threads of its own asks and tells.
+class Overseer {
+ public:
+  explicit Overseer(Spectator& spectator) : spectator_(spectator) {}
+  /// May be asked by any thread.
+  [[nodiscard]] bool goes_on() const { return !stopped_; }
+  /// By one thread at a time.
+  void look(const std::function<py::object()>& glance) { stop_unless(spectator_.look(glance)); }
+  void stop_unless(bool goes_on) {
+    if (!goes_on) stopped_ = true;
+  }
+
+ private:
+  Spectator& spectator_;
+  std::atomic<bool> stopped_ = false;
+};
+
+/// Do work without the lock in a thread of its own, so that Ctrl-C finds the main thread awake.
+/// @param work  takes an Overseer&.
+template <class Work>
+auto work_apart(Spectator& spectator, const Work& work) {
+  Overseer overseer(spectator);
+  const py::gil_scoped_release unlock;
+  auto done = std::async(std::launch::async, [&] { return work(overseer); });
+  while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+    overseer.stop_unless(spectator.go_on());
+  return done.get();
+}
 
 }  // namespace binding

@@ -16,7 +16,7 @@ using namespace app;
 /// A study of three members, into whose folder results are put that were never computed.
 class StudyResultsOf : public testing::Test {
  protected:
-  void SetUp() override { folder_.open(study_, members_, files_ / "study.toml"); }
+  void SetUp() override { folder_.open(study_, members_); }
 
   void put(std::size_t member, int side, int failed) {
     mpm::Result result = test::triangle(3e6, 1e-4);

@@ -21,7 +21,7 @@ class StudyRun : public testing::Test {
   StudyTally run(const std::string& text, int workers, const StudyWatch& watch = {}) {
     study_ = test::small_study(files_, text);
     members_ = list_members(study_);
-    folder_.open(study_, members_, files_ / "study.toml");
+    folder_.open(study_, members_);
     return run_members(study_, folder_, members_, workers, watch);
   }
 
@@ -107,7 +107,7 @@ TEST_F(StudyRun, AMemberThatDivergesIsAFailure) {
   test::write_text(files_ / "study.toml", "scene = \"scene.toml\"\n[vary]\n\"solver.cfl\" = [0.4, 1]\n");
   study_ = read_study(files_ / "study.toml");
   members_ = list_members(study_);
-  folder_.open(study_, members_, files_ / "study.toml");
+  folder_.open(study_, members_);
   const StudyTally tally = run_members(study_, folder_, members_, 2, {});
   EXPECT_EQ(tally.done, 1U);
   EXPECT_EQ(tally.failed, 1U);

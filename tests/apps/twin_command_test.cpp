@@ -99,7 +99,8 @@ TEST_F(TwinCommand, RefusesWhatItCannotRead) {
   expect_refusal({"none.png"}, Exit::io,
                  "none.png: No such file or directory; must be a file that can be read");
   expect_refusal({"."}, Exit::usage, "PICTURE: .; is a folder; must be a specimen, a scene or a picture");
-  expect_refusal({"cut.png", "--width", "40 mm", "-n", "0"}, Exit::usage, "-n: 0; must lie in [1, 1000]");
+  expect_refusal({"cut.png", "--width", "40 mm", "-n", "0"}, Exit::usage,
+                 "--count: 0; must lie in [1, 1000]");
   expect_refusal({"cut.png", "--width", "40 mm", "--gap", "-1 mm"}, Exit::usage,
                  "--gap: -1 mm; must be >= 0, or \"auto\"");
   expect_refusal({"cut.png", "--width", "40 mm", "--border", "wall"}, Exit::usage,

@@ -20,14 +20,15 @@ from typing import Any, Callable, Mapping, Optional, Sequence, Union
 from numpy.typing import ArrayLike
 
 from . import _core, results
-from ._core import Calibration, Result, Specimen
+from ._core import Calibration, Result, Specimen, Study, Twins
 from .errors import Complaint, Diverged, Error, FileError, Interrupted
-from .progress import Progress, Trial
+from .progress import Progress, StudyProgress, Trial, TwinProgress
 from .results import Curve
 
 __all__ = [
     "Calibration", "Complaint", "Curve", "Diverged", "Error", "FileError", "Interrupted", "Progress", "Result", "Specimen",
-    "Trial", "calibrate", "convert", "generate", "read_result", "read_specimen", "simulate",
+    "Study", "StudyProgress", "Trial", "TwinProgress", "Twins", "calibrate", "convert", "generate", "read_result",
+    "read_specimen", "simulate", "study", "twin",
 ]
 __version__: str = _core.version
 
@@ -154,6 +155,107 @@ def calibrate(
     return _core.calibrate(specimen, dict(settings or {}), options, wanted, progress)
 
 
+def study(
+    specimen: Union[Specimen, Path],
+    settings: Optional[Settings] = None,
+    /,
+    *,
+    output: Path,
+    vary: Optional[Mapping[str, Union[Sequence[Value], Mapping[str, Value]]]] = None,
+    seeds: Union[int, Sequence[int], None] = None,
+    seed_of: Optional[Sequence[str]] = None,
+    sampling: Optional[str] = None,
+    samples: Optional[int] = None,
+    sampling_seed: Optional[int] = None,
+    title: Optional[str] = None,
+    jobs: Optional[int] = None,
+    until_ci: Union[float, str, None] = None,
+    retry: bool = False,
+    progress: Optional[Callable[[StudyProgress], Any]] = None,
+    **options: Value,
+) -> Study:
+    """Run a scene many times, with other seeds and values, one run on each core.
+
+    specimen: a Specimen, or the path of a specimen.h5, a picture or a scene.toml; or that of a study.toml, which says
+        itself what varies, so that only output, jobs, until_ci, retry and progress go with it.
+    settings: by their keys, of all members.
+    output: folder that keeps each member by what it depends on, with table.csv, table.h5 and report.html. The same call
+        goes on with a study that was interrupted, and a study may grow by seeds, levels and samples.
+    vary: {setting: values}; several settings with + between take one value. Values are a sequence, equal steps {"from":
+        1, "to": 3, "steps": 5}, or a range {"low": 1, "high": 3} to sample. Numbers are in SI units.
+    seeds: how many random fields each point is run with, or which.
+    seed_of: tables whose seed varies, of ["damage", "generate"]; None = those that the scene has.
+    sampling: how points fill the space of vary: "grid", "latin_hypercube" or "sobol"; None = grid.
+    samples: points, of all but a grid.
+    sampling_seed: of a Latin hypercube.
+    title: of the report.
+    jobs: members at a time; None = one a core. The results do not depend on it.
+    until_ci: more seeds until the 95 % confidence interval of the mean peak stress is within this share of it [-].
+    retry: run members again that have failed before.
+    progress: is given a StudyProgress after each member; where it raises StopIteration no more members are begun, and
+        what there is is returned.
+    options: settings by their short names, of all members, see below.
+
+    Members that have failed are in Study.failures. Ctrl-C raises Interrupted, what there is as .result; what else
+    progress raises is raised again. Raises Error for what cannot be run, and with what there is as .result where
+    until_ci was not met; FileError when the disk fails.
+
+        study = mesopix.study("scene.toml", output="runs/rates", vary={"velocity": [0.02, 0.05, 0.1]}, seeds=10)
+        study.table["peak_stress"]
+    """
+    what = {
+        "title": title, "seeds": seeds, "seed_of": seed_of, "sampling": sampling, "samples": samples,
+        "sampling_seed": sampling_seed, "vary": vary,
+    }
+    return _core.study(specimen, dict(settings or {}), options, what, output, jobs, until_ci, retry, progress)
+
+
+def twin(
+    original: Union[Specimen, Path],
+    settings: Optional[Settings] = None,
+    /,
+    *,
+    output: Path,
+    count: Optional[int] = None,
+    seed: Optional[int] = None,
+    twin_width: Union[float, str, None] = None,
+    twin_height: Union[float, str, None] = None,
+    twin_pixel_size: Union[float, str, None] = None,
+    gap: Union[float, str, None] = None,
+    border: Optional[str] = None,
+    overwrite: bool = False,
+    progress: Optional[Callable[[TwinProgress], Any]] = None,
+    **options: Value,
+) -> Twins:
+    """Draw random specimens that are like a picture: with its fraction, sizes, aspect ratios and directions.
+
+    original: a Specimen, or the path of a picture, a specimen.h5 or a scene.toml.
+    settings: by their keys, {"convert.width": "150 mm"}.
+    output: folder for the twins, their statistics and report.html, and study.toml, which breaks them all.
+    count: number of twins; None = 10.
+    seed: of the first twin, the others have those after it; None = 1.
+    twin_width, twin_height, twin_pixel_size: of the twins [m]; None = as the original.
+    gap: least distance of aggregates [m]; None = as those of the original keep.
+    border: "cut" = that of a saw cut, which cuts aggregates; "whole" = a wall, which keeps them inside; None = as that
+        of the original.
+    overwrite: write into a folder that is not empty.
+    progress: is given a TwinProgress after each twin; where it raises StopIteration no more are drawn, and those that
+        there are are returned.
+    options: settings by their short names, see below.
+
+    Ctrl-C raises Interrupted with the twins that were made as .result. Raises Error for what cannot be twinned,
+    FileError when a file cannot be read or written.
+
+        twins = mesopix.twin("photo.jpg", width="150 mm", pixels=300, count=50, output="runs/twins")
+        mesopix.study(twins.folder + "/study.toml", output="runs/broken")
+    """
+    wanted = {
+        "count": count, "seed": seed, "twin_width": twin_width, "twin_height": twin_height,
+        "twin_pixel_size": twin_pixel_size, "gap": gap, "border": border,
+    }
+    return _core.twin(original, dict(settings or {}), options, wanted, output, overwrite, progress)
+
+
 def read_specimen(path: Path, /) -> Specimen:
     """Read a specimen.h5. Raises Error for what is none, FileError when it cannot be read."""
     return _core.read_specimen(path)
@@ -179,6 +281,6 @@ def _append_settings(function: Callable[..., Any]) -> None:
     function.__doc__ = str(function.__doc__).rstrip() + "\n" + indented
 
 
-_functions: Sequence[Callable[..., Any]] = (generate, convert, simulate, calibrate)
+_functions: Sequence[Callable[..., Any]] = (generate, convert, twin, simulate, study, calibrate)
 for _function in _functions:
     _append_settings(_function)

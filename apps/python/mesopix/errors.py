@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from . import Calibration, Result
+    from . import Calibration, Result, Study, Twins
 
 __all__ = ["Complaint", "Diverged", "Error", "FileError", "Interrupted"]
 
@@ -56,6 +56,7 @@ class Error(_Complaints, ValueError):
     def __init__(self, *complaints: Complaint) -> None:
         super().__init__(*complaints)
         self.complaints = complaints
+        self.result: Study | None = None  #: of a study that did not come to what was asked for
 
 
 class FileError(_Complaints, OSError):
@@ -80,11 +81,11 @@ class Diverged(RuntimeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a run or a calibration."""
+    """Ctrl-C during a run, a calibration, a study or the drawing of twins."""
 
-    def __init__(self, text: str, result: Result | Calibration | None) -> None:
+    def __init__(self, text: str, result: Result | Calibration | Study | Twins | None) -> None:
         super().__init__(text, result)
-        self.result: Result | Calibration | None = result  #: what was computed until then; None = nothing
+        self.result: Result | Calibration | Study | Twins | None = result  #: what was computed until then; None = nothing
 
     def __str__(self) -> str:
         return str(self.args[0])

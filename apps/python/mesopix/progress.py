@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["Progress", "Trial"]
+__all__ = ["Progress", "StudyProgress", "Trial", "TwinProgress"]
 
 
 class Progress(NamedTuple):
@@ -32,3 +32,19 @@ class Trial(NamedTuple):
     factors: list[float]  #: on the values in the scene, one a free parameter [-]
     peak_stress: float  #: mean of the seeds [Pa]
     peak_strain: float  #: mean of the seeds [-]
+
+
+class StudyProgress(NamedTuple):
+    """A study on its way, after one more member."""
+
+    done: int  #: members that have a result now
+    failed: int  #: members that have failed now
+    before: int  #: members that were done, or had failed, before the call
+    all: int  #: members of the study
+
+
+class TwinProgress(NamedTuple):
+    """Twins on their way, after one more."""
+
+    done: int
+    all: int
