@@ -62,3 +62,17 @@ if(MESOPIX_PROGRAM AND MESOPIX_PYTHON)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/python/mesopix/ DESTINATION ${python_dir} COMPONENT python EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 endif()
+
+if(TARGET manual)  # optional: who builds the target mesopix alone may install without a manual
+  set(manual ${PROJECT_BINARY_DIR}/manual)
+  foreach(section 1 5)
+    install(DIRECTORY ${manual}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT program OPTIONAL
+      FILES_MATCHING PATTERN "*.${section}")
+  endforeach()
+  install(FILES ${manual}/completions/mesopix.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    RENAME mesopix COMPONENT program OPTIONAL)
+  install(FILES ${manual}/completions/_mesopix DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+    COMPONENT program OPTIONAL)
+  install(FILES ${manual}/completions/mesopix.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+    COMPONENT program OPTIONAL)
+endif()

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "apps/bench/bench_json.hpp"
 #include "apps/bench/error_report.hpp"
 #include "apps/bench/feature_study.hpp"
 #include "apps/bench/problem_table.hpp"
@@ -13,6 +15,7 @@
 #include "apps/bench/stability_table.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/job_pool.hpp"
+#include "apps/json_text.hpp"
 #include "apps/run_location.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/terminal_line.hpp"
@@ -73,6 +76,7 @@ BenchCommand::BenchCommand(CLI::App& program)
       .add_option("-o,--output", output_, "folder [runs/bench-WHAT, runs/bench-WHAT-2, ...]")
       ->type_name("DIR");
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  options().add_flag("--json", json_, "what was found as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
@@ -107,7 +111,10 @@ Exit BenchCommand::run_error(Console& console) const {
   mpm::replace_file((folder.path() / "error_vs_time.html").string(), bench::error_html(results));
   for (const bench::ProblemResult& result : results)
     mpm::replace_file((folder.path() / (result.problem.name + ".png")).string(), bench::error_png(result));
-  if (!console.quiet) console.out << bench::error_text(results);
+  if (json_)
+    console.out << json_text(bench::error_json(results));
+  else if (!console.quiet)
+    console.out << bench::error_text(results);
   console.say("wrote " + folder.path().string());
   if (results.size() == problems.size()) return Exit::ok;
   console.say("interrupted; the problems that were done are kept");
@@ -126,7 +133,10 @@ Exit BenchCommand::run_stability(Console& console) const {
   }();
   mpm::replace_file((folder.path() / "stability.csv").string(), bench::stability_csv(outcome));
   mpm::replace_file((folder.path() / "stability.html").string(), bench::stability_html(outcome));
-  if (!console.quiet) console.out << bench::stability_text(outcome);
+  if (json_)
+    console.out << json_text(bench::stability_json(outcome));
+  else if (!console.quiet)
+    console.out << bench::stability_text(outcome);
   console.say("wrote " + folder.path().string());
   if (guard.interrupted()) {
     console.say("interrupted; the cases that were done are kept");
@@ -150,7 +160,10 @@ Exit BenchCommand::run_features(Console& console) const {
   }();
   mpm::replace_file((folder.path() / "features.csv").string(), bench::feature_csv(costs));
   mpm::replace_file((folder.path() / "features.html").string(), bench::feature_html(costs));
-  if (!console.quiet) console.out << bench::feature_text(costs);
+  if (json_)
+    console.out << json_text(bench::feature_json(costs));
+  else if (!console.quiet)
+    console.out << bench::feature_text(costs);
   console.say("wrote " + folder.path().string());
   if (costs.size() < cases.size()) {
     console.say("interrupted; what was measured is kept");

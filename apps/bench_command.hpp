@@ -20,6 +20,7 @@ class BenchCommand : public Command {
   std::vector<std::string> cases_;
   std::string output_;
   bool overwrite_ = false;
+  bool json_ = false;
   bool quiet_ = false;
 };
 

@@ -33,6 +33,7 @@ class Command {
           const std::string& example)
       : options_(*parent.add_subcommand(name, description)) {
     options_.formatter(help_formatter());
+    options_.set_help_flag("-h,--help", "show this help, and do no more");
     options_.footer(example);
     options_.allow_extras();
   }

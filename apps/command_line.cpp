@@ -44,7 +44,12 @@ CLI::Option* add_text_option(CLI::App& app, const std::string& names, const std:
 
 class Formatter : public CLI::Formatter {
  public:
-  Formatter() { column_width(38); }
+  Formatter() {
+    column_width(38);
+    label("Positionals", "Arguments");
+    label("SUBCOMMAND", "COMMAND");
+    label("OPTIONS", "OPTION...");
+  }
 
   std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
     if (is_positional) return option->get_name(true, false);

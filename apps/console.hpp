@@ -16,6 +16,8 @@ struct Console {
   bool err_is_terminal = false;  ///< then a progress line may be drawn
   bool quiet = false;            ///< only errors
   Origins origins;               ///< of the settings, so that errors of the libraries can be located
+  bool err_is_coloured = false;
+  bool out_is_coloured = false;
 
   /// One line or more, unless quiet; whatever the terminal would obey is taken out.
   void say(const std::string& line) {

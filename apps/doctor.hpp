@@ -8,7 +8,7 @@
 #include "apps/complaint.hpp"
 #include "apps/machine.hpp"
 #include "apps/self_test.hpp"
-#include "apps/terminal_environment.hpp"
+#include "apps/terminal.hpp"
 #include "apps/version.hpp"
 
 namespace app {

@@ -9,6 +9,7 @@
 
 #include "apps/export_formats.hpp"
 #include "apps/hdf5_files.hpp"
+#include "apps/json_text.hpp"
 #include "apps/suggestion.hpp"
 #include "apps/text_file.hpp"
 #include "libmpm/error.hpp"
@@ -143,6 +144,7 @@ ExportCommand::ExportCommand(CLI::App& program)
   options()
       .add_option("--plane", plane_, "inp: elements of plane stress (CPS4) or plane strain (CPE4) [stress]")
       ->type_name("stress|strain");
+  options().add_flag("--json", json_, "the files and their format as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
@@ -159,8 +161,13 @@ Exit ExportCommand::run(Console& console) {
   const std::string output = output_.empty() ? default_output(input_, format) : output_;
   check_file(output, input_, format);
   console.say(format.write({*specimen, output, plane}));
-  console.say("wrote " + output);
+  tell({output}, console);
   return Exit::ok;
+}
+
+void ExportCommand::tell(const std::vector<std::string>& files, Console& console) const {
+  if (json_) console.out << json_text({{"format", format_}, {"files", files}});
+  for (const std::string& file : files) console.say("wrote " + file);
 }
 
 Exit ExportCommand::export_run(const std::string& result_file, Console& console) const {
@@ -170,7 +177,7 @@ Exit ExportCommand::export_run(const std::string& result_file, Console& console)
   const mpm::Result result = read_result(result_file);
   const double pixel_size = pixel_size_beside(result_file);
   const fs::path folder = folder_of_maps(output_, result_file);
-  for (const std::string& file : write_run_maps(folder, {result, pixel_size})) console.say("wrote " + file);
+  tell(write_run_maps(folder, {result, pixel_size}), console);
   return Exit::ok;
 }
 

@@ -19,7 +19,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* footer = "Example:\n  mesopix inspect runs/specimen";
+constexpr const char* footer =
+    "Examples: a run; a photograph, whose scale and size convert will take; a specimen, for a script\n"
+    "  mesopix inspect runs/specimen\n"
+    "  mesopix inspect photo.jpg\n"
+    "  mesopix inspect specimen.h5 --json";
 
 const char* stop_text(mpm::StopReason reason) {
   switch (reason) {

@@ -9,6 +9,7 @@
 #include "apps/console.hpp"
 #include "apps/memory_limit.hpp"
 #include "apps/program.hpp"
+#include "apps/terminal.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
 #endif
@@ -29,7 +30,14 @@ int main(int argc, char** argv) {
   fill_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size is an error as any other
   app::limit_memory();
-  app::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) != 0, false, {}};
+  const app::Terminal err = app::terminal_at(STDERR_FILENO);
+  app::Console console{std::cout,
+                       std::cerr,
+                       err.animated,
+                       false,
+                       app::Origins(),
+                       err.coloured,
+                       app::terminal_at(STDOUT_FILENO).coloured};
   const std::vector<std::string> arguments(argv + 1, argv + argc);
 #ifdef MESOPIX_EVIDENCE
   const app::MoreCommands more = app::evidence_commands();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "apps/codec.hpp"
+#include "apps/json_text.hpp"
 #include "apps/output/chart_layout.hpp"
 #include "apps/output/damage_drawing.hpp"
 #include "apps/output/png.hpp"
@@ -26,18 +28,18 @@ namespace fs = std::filesystem;
 constexpr double margin = 16;  ///< of paper [px]
 
 constexpr const char* footer =
-    "Examples:\n"
-    "  mesopix plot runs/specimen --at 90%peak -o damage.pdf\n"
-    "  mesopix plot runs/specimen --at 120e-6 --look colour -o damage.png\n"
-    "  mesopix plot runs/specimen --what curve -o curve.svg\n"
-    "  mesopix plot runs/specimen --what stress --component first --range \"0:5 MPa\" -o stress.pdf\n"
     "Stress is that of the frame nearest to --at (mesopix simulate SCENE --frames 40), in MPa, tension "
     "positive.\n"
     "Components: yy along the loading, xx across it, xy; first and third, the largest and the smallest of "
     "the\n"
     "three principal stresses; mises. Failed points are black. Without --range the colours leave out the "
     "largest\n"
-    "and the smallest hundredth of the values; warm colours are above zero, cool ones below.";
+    "and the smallest hundredth of the values; warm colours are above zero, cool ones below.\n"
+    "Examples:\n"
+    "  mesopix plot runs/specimen --at 90%peak -o damage.pdf\n"
+    "  mesopix plot runs/specimen --at 120e-6 --look colour -o damage.png\n"
+    "  mesopix plot runs/specimen --what curve -o curve.svg\n"
+    "  mesopix plot runs/specimen --what stress --component first --range \"0:5 MPa\" -o stress.pdf";
 
 enum class What { damage, curve, stress };
 enum class Look { grey, colour };
@@ -120,15 +122,17 @@ std::string bytes_of(const output::Drawing& drawing, Format format) {
 PlotCommand::PlotCommand(CLI::App& program)
     : Command(program, "plot", "Draw damage, stress or the curve of a run for a paper or a slide", footer) {
   options().add_option("RUN", run_, "folder of a run")->type_name("");
-  options().add_option("--what", what_, "damage, stress or curve [damage]")->type_name("WHAT");
+  options().add_option("--what", what_, "what to draw [damage]")->type_name("damage|stress|curve");
   add("--at", at_, "STRAIN", "strain, or share of the peak strain, of damage or stress [100%peak]",
       {"damage", "stress"});
-  add("--look", look_, "LOOK", "of damage: grey, as in the paper, or colour [grey]", {"damage"});
-  add("--component", component_, "NAME", "of stress: yy, xx, xy, first, third or mises [yy]", {"stress"});
+  add("--look", look_, "grey|colour", "of damage; grey is as in the paper [grey]", {"damage"});
+  add("--component", component_, "yy|xx|xy|first|third|mises", "of stress [yy]", {"stress"});
   add("--range", range_, "LOW:HIGH|auto", "of the colours of stress, as \"-5:5 MPa\" [auto]", {"stress"});
   options()
       .add_option("-o,--output", output_, "the picture: .png, .svg or .pdf [WHAT.png]")
       ->type_name("FILE");
+  options().add_flag("--json", json_, "the file and what it shows as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
 void PlotCommand::add(const char* name, std::string& text, const char* type, const char* help,
@@ -147,6 +151,7 @@ void PlotCommand::check_fit() const {
 }
 
 Exit PlotCommand::run(Console& console) {
+  console.quiet = quiet_;
   if (run_.empty()) throw Rejected(Exit::usage, complaint("RUN", "missing", "", "mesopix plot RUN"));
   const What what = chosen<What>(
       "--what", what_, {{"damage", What::damage}, {"stress", What::stress}, {"curve", What::curve}});
@@ -159,15 +164,18 @@ Exit PlotCommand::run(Console& console) {
   const Format format = format_of(path);
   const ReadRun run = read_run(run_);
   std::string words = "wrote " + path;
+  nlohmann::ordered_json shown{{"files", {path}}, {"what", what_}};
   output::Drawing drawing;
   switch (what) {
     case What::damage:
-      drawing = damage(run, reached_strain(at_, run.result), look);
+      shown["strain"] = reached_strain(at_, run.result);
+      drawing = damage(run, shown["strain"], look);
       break;
     case What::stress: {
       StressPlot plot = stress_plot(run, run_, reached_strain(at_, run.result), component, range);
       drawing = std::move(plot.drawing);
       words += ": " + plot.words;
+      shown["frame"] = plot.words;
       break;
     }
     case What::curve:
@@ -175,6 +183,7 @@ Exit PlotCommand::run(Console& console) {
       break;
   }
   mpm::replace_file(path, bytes_of(drawing, format));
+  if (json_) console.out << json_text(shown);
   console.say(words);
   return Exit::ok;
 }

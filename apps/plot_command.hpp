@@ -31,6 +31,8 @@ class PlotCommand : public Command {
   std::string component_ = "yy";
   std::string range_ = "auto";
   std::string output_;
+  bool json_ = false;
+  bool quiet_ = false;
 };
 
 }  // namespace app

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "apps/hdf5_files.hpp"
+#include "apps/json_text.hpp"
 #include "apps/output/comparison.hpp"
 #include "apps/scene_differences.hpp"
 #include "libmpm/replace_file.hpp"
@@ -14,11 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* footer =
-    "Example:\n"
+    "The report of a single run is report.html in its folder.\n"
+    "Example: two specimens that differ in their random strengths\n"
     "  mesopix simulate specimen.h5 --seed 1 -o runs/one\n"
     "  mesopix simulate specimen.h5 --seed 2 -o runs/two\n"
-    "  mesopix report runs/one runs/two -o comparison.html\n"
-    "The report of a single run is report.html in its folder.";
+    "  mesopix report runs/one runs/two -o comparison.html";
 
 /// The result of a run that was named by its folder, or by the file itself.
 fs::path result_of(const std::string& run) {
@@ -59,15 +61,33 @@ void check(const std::vector<std::string>& runs) {
       throw Rejected(Exit::usage, complaint("RUN", run, "must not be given twice"));
 }
 
+nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& runs,
+                                       const std::vector<output::ComparedSetting>& settings,
+                                       const std::string& page) {
+  nlohmann::ordered_json json{
+      {"files", {page}}, {"runs", nlohmann::json::array()}, {"differences", nlohmann::json::object()}};
+  for (const output::ComparedRun& run : runs)
+    json["runs"].push_back({{"name", run.name},
+                            {"peak_stress_Pa", run.result.peak_stress},
+                            {"peak_strain", run.result.peak_strain},
+                            {"tension_failures", run.result.tension_failures},
+                            {"shear_failures", run.result.shear_failures}});
+  for (const output::ComparedSetting& setting : settings) json["differences"][setting.key] = setting.values;
+  return json;
+}
+
 }  // namespace
 
 ReportCommand::ReportCommand(CLI::App& program)
     : Command(program, "report", "Lay several runs over each other on one page", footer) {
   options().add_option("RUN", runs_, "folders of runs, or their result.h5")->type_name("");
   options().add_option("-o,--output", output_, "the page [comparison.html]")->type_name("FILE");
+  options().add_flag("--json", json_, "key figures and differences as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
 Exit ReportCommand::run(Console& console) {
+  console.quiet = quiet_;
   check(runs_);
   const std::vector<std::string> names = names_of(runs_);
   std::vector<output::ComparedRun> compared;
@@ -81,6 +101,7 @@ Exit ReportCommand::run(Console& console) {
   for (SceneDifference& one : scene_differences(scenes))
     settings.push_back({std::move(one.key), std::move(one.values)});
   mpm::replace_file(output_, output::comparison_html(compared, settings));
+  if (json_) console.out << json_text(comparison_json(compared, settings, output_));
   console.say("wrote " + output_);
   return Exit::ok;
 }

@@ -13,6 +13,8 @@ class ReportCommand : public Command {
  private:
   std::vector<std::string> runs_;
   std::string output_ = "comparison.html";
+  bool json_ = false;
+  bool quiet_ = false;
 };
 
 }  // namespace app

@@ -7,6 +7,7 @@
 
 #include "apps/interrupt.hpp"
 #include "apps/job_pool.hpp"
+#include "apps/json_text.hpp"
 #include "apps/reproduce/figure_table.hpp"
 #include "apps/reproduce/reproduce_report.hpp"
 #include "apps/reproduce/words.hpp"
@@ -19,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* footer =
+    "All of them take a few minutes. The scenes are those of data/paper, which mesopix simulate runs too.\n"
     "Example: the figures on the random specimen's curves and on the Weibull modulus\n"
-    "  mesopix reproduce --figure 5 --figure 12 -o runs/paper\n"
-    "All of them take a few minutes. The scenes are those of data/paper, which mesopix simulate runs too.";
+    "  mesopix reproduce --figure 5 --figure 12 -o runs/paper";
 
 /// One line on the terminal that tells how far the runs are.
 class CampaignLine {
@@ -81,6 +82,7 @@ ReproduceCommand::ReproduceCommand(CLI::App& program)
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  options().add_flag("--json", json_, "reproduction.json on standard output too");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
@@ -99,6 +101,7 @@ Exit ReproduceCommand::run(Console& console) {
                                          [&] { return !guard.interrupted(); }});
   }();
   write(folder, reproduction);
+  if (json_) console.out << json_text(reproduce::report_json(reproduction));
   say_verdicts(reproduction, console);
   console.say("wrote " + folder.string());
   if (!reproduction.interrupted) return Exit::ok;

@@ -16,6 +16,7 @@ class ReproduceCommand : public Command {
   int jobs_ = 0;  ///< 0 = as many as there are cores
   bool all_ = false;
   bool overwrite_ = false;
+  bool json_ = false;
   bool quiet_ = false;
 };
 

@@ -24,14 +24,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* footer =
-    "Example: tension until the stress has dropped to 20 % of its peak\n"
-    "  mesopix simulate specimen.h5 --velocity \"0.02 m/s\" --stop-drop 0.2 --mortar.tensile-scale \"12 "
-    "MPa\" -o run\n"
-    "Ctrl-C, or SIGTERM, ends it with exit code 75; it goes on, on as many threads as you like, with\n"
-    "  mesopix simulate --resume run\n"
     "The settings of the specimen are options too, by their keys: --generate.fraction 0.4, --convert.width "
     "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
-    "a scene.";
+    "a scene.\n"
+    "Ctrl-C, or SIGTERM, ends a run with exit code 75; it goes on, on as many threads as you like, with "
+    "--resume.\n"
+    "Example: tension until the stress has dropped to 20 % of its peak; on with it after Ctrl-C; all of it "
+    "from "
+    "a file\n"
+    "  mesopix simulate specimen.h5 --velocity \"0.02 m/s\" --stop-drop 0.2 --mortar.tensile-scale \"12 "
+    "MPa\" -o run\n"
+    "  mesopix simulate --resume run\n"
+    "  mesopix simulate data/two_aggregates.toml --frames 40";
 
 /// Gives the job the rate, step and precision that the tolerance asks for.   @return their error.
 output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {

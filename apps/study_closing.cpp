@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "apps/output/text.hpp"
 #include "apps/study_growth.hpp"
 #include "apps/study_report.hpp"
@@ -38,6 +40,35 @@ void close_study(const StudyFolder& folder, const Study& study, const std::vecto
   write_study_report(folder, study, members, results);
   say_means(study, results, console);
   console.say("wrote " + folder.path().string());
+}
+
+nlohmann::ordered_json count_json(const StudyFolder& folder, const std::vector<Member>& members) {
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  for (const Member& member : members) {
+    const bool has_result = folder.has_result(member);
+    done += has_result ? 1 : 0;
+    failed += !has_result && folder.has_failed(member) ? 1 : 0;
+  }
+  return {{"folder", folder.path().string()},
+          {"members", members.size()},
+          {"done", done},
+          {"failed", failed},
+          {"open", members.size() - done - failed}};
+}
+
+nlohmann::ordered_json study_json(const StudyFolder& folder, const Study& study,
+                                  const std::vector<Member>& members, const StudyResults& results) {
+  nlohmann::ordered_json json = count_json(folder, members);
+  json["peak_stress"] = nullptr;
+  if (study.plan.parameters.empty()) {
+    const MeanEstimate stress = mean_estimate(results.peak_stress());
+    json["peak_stress"] = {{"mean_Pa", stress.mean},
+                           {"standard_deviation_Pa", stress.deviation},
+                           {"half_width_95_Pa", stress.half_width}};
+  }
+  json["files"] = {"table.csv", "table.h5", "timing.csv", "report.html"};
+  return json;
 }
 
 void refuse_failures(const Study& study, const StudyFolder& folder, const std::vector<Member>& members) {

@@ -1,6 +1,7 @@
 /// What the members of a study say together, written into its folder and told.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "apps/console.hpp"
@@ -12,6 +13,15 @@ namespace app {
 /// @throws mpm::FileError, specimen::Error (Fault::write) when the disk fails.
 void close_study(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
                  const StudyResults& results, Console& console);
+
+/// How many of the members are done, have failed or are open, and in which folder.
+[[nodiscard]] nlohmann::ordered_json count_json(const StudyFolder& folder,
+                                                const std::vector<Member>& members);
+
+/// The same with the mean peak stress, where no value varies, and the files.
+[[nodiscard]] nlohmann::ordered_json study_json(const StudyFolder& folder, const Study& study,
+                                                const std::vector<Member>& members,
+                                                const StudyResults& results);
 
 /// Each of the first failed members with its reason, and where the others are told.
 /// @throws Rejected (Exit::data) when any has failed.

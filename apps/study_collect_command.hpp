@@ -13,6 +13,8 @@ class StudyCollectCommand : public Command {
 
  private:
   StudyInput input_;
+  bool json_ = false;
+  bool quiet_ = false;
 };
 
 }  // namespace app

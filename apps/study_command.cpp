@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "apps/interrupt.hpp"
 #include "apps/job_pool.hpp"
+#include "apps/json_text.hpp"
 #include "apps/output/text.hpp"
 #include "apps/read_option.hpp"
 #include "apps/shell_word.hpp"
@@ -71,6 +73,7 @@ StudyCommand::StudyCommand(CLI::App& program)
                   "only those from number I to before J, and no table: for several machines")
       ->type_name("I:J");
   options().add_flag("--retry", retry_, "run members again that have failed before");
+  options().add_flag("--json", json_, "number of members and mean peak as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
   below_.push_back(std::make_unique<StudySubmitCommand>(options()));
   below_.push_back(std::make_unique<StudyStatusCommand>(options()));
@@ -120,7 +123,9 @@ StudyTally StudyCommand::work(const Study& study, const std::vector<Member>& mem
       {[&](const StudyTally& tally) { line.show(tally); }, [&] { return !guard.interrupted(); }});
 }
 
-Exit StudyCommand::say_interrupted(const StudyTally& tally, Console& console) const {
+Exit StudyCommand::say_interrupted(const StudyTally& tally, const std::vector<Member>& members,
+                                   Console& console) const {
+  if (json_) console.out << json_text(count_json(input_.folder(), members));
   console.say(fmt::format("interrupted; {} of {} members are done or have failed, and are kept",
                           tally.all - tally.open(), tally.all));
   console.say("to go on: " + command());
@@ -130,8 +135,9 @@ Exit StudyCommand::say_interrupted(const StudyTally& tally, Console& console) co
 Exit StudyCommand::run_part(const Study& study, const std::vector<Member>& members, Console& console) const {
   const InterruptGuard guard;
   const StudyTally tally = work(study, members, guard, console);
-  if (tally.open() > 0) return say_interrupted(tally, console);
+  if (tally.open() > 0) return say_interrupted(tally, members, console);
   console.say(fmt::format("{} members, of which {} were there before", tally.all, tally.before));
+  if (json_) console.out << json_text(count_json(input_.folder(), members));
   refuse_failures(study, input_.folder(), members);
   return Exit::ok;
 }
@@ -142,7 +148,7 @@ Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& 
   const WholeStudy whole = run_whole_study(
       std::move(study), std::move(members), input_.folder(), until_ci(),
       [&](const Study& grown, const std::vector<Member>& all) { return work(grown, all, guard, console); });
-  if (!whole.results) return say_interrupted(whole.tally, console);
+  if (!whole.results) return say_interrupted(whole.tally, whole.members, console);
   finish(whole, console);
   return Exit::ok;
 }
@@ -150,6 +156,8 @@ Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& 
 /// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
 void StudyCommand::finish(const WholeStudy& whole, Console& console) const {
   close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
+  if (json_)
+    console.out << json_text(study_json(input_.folder(), whole.study, whole.members, *whole.results));
   refuse_failures(whole.study, input_.folder(), whole.members);
   if (const double share = until_ci(); share > 0 && !(whole.half_width() <= share))
     throw Rejected(Exit::data, complaint("--until-ci", until_ci_,

@@ -27,7 +27,8 @@ class StudyCommand : public Command {
                                 const InterruptGuard& guard, Console& console) const;
   [[nodiscard]] Exit run_part(const Study& study, const std::vector<Member>& members, Console& console) const;
   [[nodiscard]] Exit run_whole(Study study, std::vector<Member> members, Console& console) const;
-  [[nodiscard]] Exit say_interrupted(const StudyTally& tally, Console& console) const;
+  [[nodiscard]] Exit say_interrupted(const StudyTally& tally, const std::vector<Member>& members,
+                                     Console& console) const;
   void finish(const WholeStudy& whole, Console& console) const;
 
   StudyInput input_;
@@ -36,6 +37,7 @@ class StudyCommand : public Command {
   std::string jobs_;
   std::string until_ci_;
   bool retry_ = false;
+  bool json_ = false;
   bool quiet_ = false;
 };
 

@@ -307,12 +307,6 @@ StudyPlan parse_study(const std::string& text, const std::string& path) {
   return Walk(path).read(parse_toml(text, path));
 }
 
-bool is_study(const std::string& text, const std::string& path) {
-  const toml::table table = parse_toml(text, path);
-  return std::any_of(table.begin(), table.end(),
-                     [](const auto& entry) { return is_study_key(entry.first.str()); });
-}
-
 Study read_study(const std::string& path) {
   TextFile file{read_text_file(path), path};
   StudyPlan plan = parse_study(file.text, path);

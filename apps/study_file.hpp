@@ -30,10 +30,6 @@ namespace app {
 /// @throws Rejected (Exit::data) with every complaint.
 [[nodiscard]] StudyPlan parse_study(const std::string& text, const std::string& path);
 
-/// Whether a TOML text is that of a study: has a key that no scene has.   @throws Rejected for what is no
-/// TOML.
-[[nodiscard]] bool is_study(const std::string& text, const std::string& path);
-
 /// The study of a file, its scene read and found valid.
 /// @throws Rejected for a study or a scene that is wrong, or cannot be read.
 [[nodiscard]] Study read_study(const std::string& path);

@@ -64,7 +64,8 @@ std::string job_text(const Job& job) {
 StudyStatusCommand::StudyStatusCommand(CLI::App& study)
     : Command(study, "status", "Tell how far a study is, here and in the queue of Slurm",
               "Begun are members that have a checkpoint and no result yet.\n"
-              "Example: mesopix study status study.toml") {
+              "Example: a study whose members run elsewhere\n"
+              "  mesopix study status study.toml") {
   input_.add_to(options());
   options().add_flag("--json", json_, "as JSON");
 }

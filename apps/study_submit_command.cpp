@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "apps/json_text.hpp"
 #include "apps/other_program.hpp"
 #include "apps/read_option.hpp"
 #include "apps/shell_word.hpp"
@@ -77,15 +79,19 @@ StudySubmitCommand::StudySubmitCommand(CLI::App& study)
       .add_option("--sbatch", sbatch_, "option for sbatch, as --sbatch=--time=1:00:00; may be repeated")
       ->type_name("OPTION")
       ->take_all();
+  options().add_flag("--json", json_, "with --slurm: the job as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
 void StudySubmitCommand::check_options() const {
   if (slurm_ == commands_)
     throw Rejected(Exit::usage, complaint("study submit", slurm_ ? "--slurm and --commands" : "",
                                           "must be told where to: --slurm or --commands"));
-  if (commands_ && (dry_run_ || !sbatch_.empty()))
-    throw Rejected(Exit::usage, complaint(dry_run_ ? "--dry-run" : "--sbatch", "given with --commands",
-                                          "goes with --slurm"));
+  if (commands_ && (dry_run_ || !sbatch_.empty() || json_))
+    throw Rejected(Exit::usage, complaint(dry_run_           ? "--dry-run"
+                                          : !sbatch_.empty() ? "--sbatch"
+                                                             : "--json",
+                                          "given with --commands", "goes with --slurm"));
   for (const std::string& option : sbatch_)
     if (option.rfind("-", 0) != 0 || printable(option) != option)
       throw Rejected(Exit::usage, complaint("--sbatch", app::quoted(option), "must be an option of sbatch",
@@ -114,6 +120,18 @@ SlurmJob StudySubmitCommand::job(const OpenStudy& open) const {
           .wishes = sbatch_};
 }
 
+/// @param script, id  of the job; empty = there is none.
+void StudySubmitCommand::tell(const SlurmJob& job, const std::string& script, const std::string& id,
+                              Console& console) const {
+  using Json = nlohmann::ordered_json;
+  const auto text_or_null = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
+  if (json_)
+    console.out << json_text({{"job", text_or_null(id)},
+                              {"script", text_or_null(script)},
+                              {"tasks", job.tasks.size()},
+                              {"members_a_task", job.chunk}});
+}
+
 void StudySubmitCommand::submit(SlurmJob job, const OpenStudy& open, Console& console) const {
   const SlurmFolder folder = SlurmFolder::next(open.folder.path());
   job.logs = fs::absolute(folder.path()).string();
@@ -123,16 +141,19 @@ void StudySubmitCommand::submit(SlurmJob job, const OpenStudy& open, Console& co
   mpm::replace_file(folder.script().string(), slurm_script(job));
   const std::string what = fmt::format("{} tasks of {} members", job.tasks.size(), job.chunk);
   if (dry_run_) {
+    tell(job, folder.script().string(), "", console);
     console.say("wrote " + folder.script().string() + ": " + what);
     return;
   }
   const std::string id = folder.submit();
+  tell(job, folder.script().string(), id, console);
   console.say("submitted job " + id + ": " + what);
   console.say("to see how far it is: " + command_of("status", input_));
   console.say("for tables and report: " + command_of("collect", input_));
 }
 
 Exit StudySubmitCommand::run(Console& console) {
+  console.quiet = quiet_;
   input_.check();
   check_options();
   (void)chunk(1);
@@ -141,6 +162,7 @@ Exit StudySubmitCommand::run(Console& console) {
   check_scenes(open.study, open.members);
   const SlurmJob wanted = job(open);
   if (wanted.tasks.empty()) {
+    tell(wanted, "", "", console);
     console.say(fmt::format("nothing to do: all {} members are done or have failed", open.members.size()));
     return Exit::ok;
   }

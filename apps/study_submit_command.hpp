@@ -21,12 +21,15 @@ class StudySubmitCommand : public Command {
   [[nodiscard]] std::size_t chunk(std::size_t members) const;
   [[nodiscard]] int cpus() const;
   [[nodiscard]] SlurmJob job(const OpenStudy& open) const;
+  void tell(const SlurmJob& job, const std::string& script, const std::string& id, Console& console) const;
   void submit(SlurmJob job, const OpenStudy& open, Console& console) const;
 
   StudyInput input_;
   bool slurm_ = false;
   bool commands_ = false;
   bool dry_run_ = false;
+  bool json_ = false;
+  bool quiet_ = false;
   std::string chunk_;
   std::string jobs_;
   std::vector<std::string> sbatch_;

@@ -162,7 +162,8 @@ StudyWish of_scene(const StudyArguments& arguments, const fs::path& folder) {
 bool names_a_study(const py::object& input) {
   if (py::isinstance<Body>(input)) return false;
   const std::string path = path_text(input);
-  return app::kind_of_input(path) == app::InputKind::scene && app::is_study(app::read_text_file(path), path);
+  return app::kind_of_input(path) == app::InputKind::scene &&
+         app::is_meant_as_study(app::read_text_file(path), path);
 }
 
 StudyWish of_file(const StudyArguments& arguments) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "apps/evidence_commands.hpp"
 #include "tests/apps/program_in_folder.hpp"
@@ -29,6 +30,11 @@ TEST_F(BenchCommand, WritesErrorsAgainstRunTime) {
   EXPECT_EQ(test::read_text("runs/bench-error/flight.png").substr(1, 3), "PNG");
   ASSERT_EQ(run({"error", "--problem", "flight", "-q", "--overwrite", "-o", "runs/bench-error"}), Exit::ok);
   EXPECT_EQ(out_.str() + err_.str(), "");
+  ASSERT_EQ(run({"error", "--problem", "flight", "-q", "--json", "-o", "json"}), Exit::ok);
+  EXPECT_EQ(err_.str(), "");
+  const auto samples = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(samples.size(), 10U * 3U);
+  EXPECT_EQ(samples[0]["problem"], "flight");
 }
 
 TEST_F(BenchCommand, RefusesWhatItDoesNotKnow) {
@@ -52,6 +58,8 @@ TEST_F(BenchCommand, RunsCasesOfStability) {
   EXPECT_EQ(err_.str(), "wrote runs/bench-stability\n");
   const std::string csv = test::read_text("runs/bench-stability/stability.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+  ASSERT_EQ(run({"stability", "--case", "contrast", "--json", "-o", "json"}), Exit::ok);
+  EXPECT_TRUE(nlohmann::json::parse(out_.str())[0]["holds"].get<bool>());
   EXPECT_THAT(test::read_text("runs/bench-stability/stability.html"), HasSubstr("extreme-draws"));
 }
 

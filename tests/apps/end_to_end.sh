@@ -204,4 +204,15 @@ has err "the run began with '0.001 m/s'"
 expect 0 inspect stopped
 has out "(interrupted)"
 
+# What a terminal shows: a red name before an error and a line of progress, but not to who wants none of it.
+shown() { env TERM=xterm "${@:2}" script -qec "$mesopix $1" /dev/null; }
+shown simulte | grep -qF $'\e[1;31mmesopix:\e[0m simulte: unknown command' || fail "an error on a terminal is not red"
+for plain in NO_COLOR=1 TERM=dumb; do
+  shown simulte "$plain" | grep -q $'\e' && fail "an error is coloured in spite of $plain"
+done
+shown "twin labels.png -n 1 -o twins" | grep -qF $'\r\e[K0 of 1 twins' || fail "no progress is shown on a terminal"
+for words in "twin labels.png -n 1 -o dumb_twins" "study stopped.toml --members 0:1 -o dumb_study"; do
+  shown "$words" TERM=dumb | grep -q $'\e' && fail "progress is drawn on a terminal that is dumb: $words"
+done
+
 conclude

@@ -7,6 +7,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 expect 0 reproduce --figure 3 -o paper
 is_empty out
 has err "wrote paper"
+grep -q $'\r' err && fail "a progress line where there is no terminal"
 python3 -c 'import json, xml.dom.minidom as x; json.load(open("paper/reproduction.json")); x.parse("paper/report.html")' ||
   fail "report or numbers of a reproduction cannot be read"
 expect 64 reproduce --figure 99
@@ -24,6 +25,7 @@ has stopped_paper/report.html "It was interrupted before the runs of these were 
 # How exact the program is for its time.
 expect 0 bench error --problem layers -o errors
 has out "layers"
+grep -q $'\r' err && fail "a progress line where there is no terminal"
 for file in error.csv error_vs_time.html layers.png; do exists errors/$file; done
 python3 -c 'import xml.dom.minidom as x; x.parse("errors/error_vs_time.html")' || fail "the page of errors cannot be read"
 expect 64 bench error --problem layer

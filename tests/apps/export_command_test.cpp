@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "libmpm/result_file.hpp"
 #include "specimen/picture.hpp"
@@ -51,6 +52,15 @@ TEST_F(ExportCommand, NamesTheFileAfterTheSpecimenBesideIt) {
     EXPECT_THAT(err_.str(), EndsWith(std::string("wrote there/") + file + "\n"));
     EXPECT_TRUE(fs::exists(fs::path("there") / file));
   }
+}
+
+TEST_F(ExportCommand, TellsItsFilesAsJsonAndIsQuiet) {
+  ASSERT_EQ(run({"specimen.h5", "--to", "csv", "--json", "-q"}), Exit::ok) << err_.str();
+  EXPECT_EQ(err_.str(), "");
+  EXPECT_EQ(nlohmann::json::parse(out_.str()),
+            (nlohmann::json{{"format", "csv"}, {"files", {"specimen_inclusions.csv"}}}));
+  ASSERT_EQ(run({"run", "--to", "tif", "--json"}), Exit::ok) << err_.str();
+  EXPECT_EQ(nlohmann::json::parse(out_.str())["files"].size(), 2u);
 }
 
 TEST_F(ExportCommand, TellsTheSetsOfAMesh) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/apps/program_in_folder.hpp"
@@ -72,6 +73,16 @@ TEST_F(PlotCommand, DrawsTheStressOfAFrame) {
   EXPECT_TRUE(all.insert(drawn({"--range", "-5:5 MPa"})).second);
   EXPECT_TRUE(all.insert(drawn({"--at", "10e-6"})).second);
   EXPECT_THAT(out_.str() + err_.str(), HasSubstr("p_000002.hdf, at 10.3 microstrain"));
+}
+
+TEST_F(PlotCommand, TellsWhatItDrewAsJsonAndIsQuiet) {
+  ASSERT_EQ(call({"plot", "run", "--at", "10e-6", "--json", "-q"}), Exit::ok) << err_.str();
+  EXPECT_EQ(err_.str(), "");
+  EXPECT_EQ(nlohmann::json::parse(out_.str()),
+            (nlohmann::json{{"files", {"damage.png"}}, {"what", "damage"}, {"strain", 10e-6}}));
+  ASSERT_EQ(call({"plot", "run", "--what", "stress", "--json"}), Exit::ok) << err_.str();
+  EXPECT_THAT(nlohmann::json::parse(out_.str())["frame"].get<std::string>(), StartsWith("p_00000"));
+  EXPECT_THAT(err_.str(), StartsWith("wrote stress.png: p_00000"));
 }
 
 TEST_F(PlotCommand, RefusesOptionsThatWouldChangeNothing) {

@@ -40,6 +40,8 @@ TEST_F(Program, HelpNamesEveryCommandWithAnExample) {
   for (const char* command : {"generate", "convert", "scene", "simulate", "calibrate", "inspect", "report",
                               "plot", "export", "doctor"})
     EXPECT_THAT(out_.str(), HasSubstr(command));
+  EXPECT_LT(out_.str().find("generate"), out_.str().find("simulate"));
+  EXPECT_LT(out_.str().find("simulate"), out_.str().find("inspect"));
   for (const std::string command : {"generate", "convert", "scene", "simulate", "calibrate", "inspect",
                                     "report", "plot", "export", "doctor"}) {
     EXPECT_EQ(run({command, "--help"}), Exit::ok);
@@ -58,10 +60,10 @@ TEST_F(Program, RefusesWhatItDoesNotKnow) {
   expect_refusal(
       {"simulte"}, Exit::usage,
       "simulte: unknown command; must be generate, convert, twin, scene, simulate, study, calibrate, "
-      "inspect, report, plot, export or doctor; did you mean simulate?");
+      "inspect, report, plot, export, doctor or help; did you mean simulate?");
   expect_refusal({"--json"}, Exit::usage,
                  "--json: is no command; must be generate, convert, twin, scene, simulate, study, calibrate, "
-                 "inspect, report, plot, export or doctor; mesopix --help tells what they do");
+                 "inspect, report, plot, export, doctor or help; mesopix --help tells what they do");
   expect_refusal({"generate", "--widht", "3 mm"}, Exit::usage,
                  "--widht: unknown option; did you mean --width?; mesopix generate --help lists them");
   expect_refusal({"generate", "--width"}, Exit::usage,
@@ -70,6 +72,29 @@ TEST_F(Program, RefusesWhatItDoesNotKnow) {
   expect_refusal({"convert"}, Exit::usage, "PICTURE: missing; mesopix convert PICTURE");
   expect_refusal({"calibrate"}, Exit::usage, "SCENE: missing; mesopix calibrate SCENE");
   expect_refusal({"inspect"}, Exit::usage, "FILE: missing; mesopix inspect FILE");
+}
+
+TEST_F(Program, AFileMayBeCalledAsACommandIs) {
+  expect_refusal({"inspect", "study"}, Exit::io,
+                 "study: No such file or directory; must be a file that can be read");
+}
+
+TEST_F(Program, ColoursWhatATerminalShowsAndNothingElse) {
+  const auto told = [](const std::vector<std::string>& arguments, bool coloured) {
+    std::ostringstream out;
+    std::ostringstream err;
+    app::Console console{out, err, false, false, {}, coloured, coloured};
+    (void)app::run_program(arguments, console);
+    return out.str() + err.str();
+  };
+  const std::string red = "\x1b[1;31mmesopix:\x1b[0m simulte: unknown command";
+  EXPECT_THAT(told({"simulte"}, true), StartsWith(red));
+  EXPECT_THAT(told({"simulte"}, false), StartsWith("mesopix: simulte: unknown command"));
+  for (const std::vector<std::string>& help :
+       {std::vector<std::string>{"--help"}, {"help"}, {"simulate", "--help"}, {}}) {
+    EXPECT_THAT(told(help, true), HasSubstr("\x1b[1mOptions:\x1b[0m\n"));
+    EXPECT_THAT(told(help, false), testing::Not(HasSubstr("\x1b")));
+  }
 }
 
 TEST_F(Program, RefusesValuesOfOptions) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "libmpm/result_file.hpp"
 #include "tests/apps/fake_run.hpp"
@@ -39,6 +40,16 @@ TEST_F(ReportCommand, LaysRunsOverEachOther) {
   EXPECT_THAT(err_.str(), HasSubstr("wrote both.html"));
   EXPECT_THAT(page("both.html"), HasSubstr("<th scope=\"col\">one</th><th scope=\"col\">two</th>"));
   EXPECT_THAT(page("both.html"), HasSubstr("damage.seed</th><td>1</td><td>2</td>"));
+}
+
+TEST_F(ReportCommand, TellsFiguresAsJsonAndIsQuiet) {
+  ASSERT_EQ(run({"one", "two", "--json", "-q"}), Exit::ok) << err_.str();
+  EXPECT_EQ(err_.str(), "");
+  const auto json = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(json["files"], nlohmann::json{"comparison.html"});
+  EXPECT_EQ(json["runs"][1]["name"], "two");
+  EXPECT_GT(json["runs"][1]["peak_stress_Pa"].get<double>(), 0);
+  EXPECT_EQ(json["differences"]["damage.seed"], (nlohmann::json{"1", "2"}));
 }
 
 TEST_F(ReportCommand, TellsFoldersOfTheSameNameApart) {

@@ -26,8 +26,9 @@ TEST_F(ReproduceCommand, ReproducesOneFigureOfThePaper) {
   EXPECT_TRUE(fs::exists("paper/report.html"));
   EXPECT_EQ(json::parse(test::read_text("paper/reproduction.json"))["figures"].size(), 1U);
   EXPECT_EQ(run({"--figure", "3", "-o", "paper"}), Exit::usage);
-  EXPECT_EQ(run({"--figure", "3", "-o", "paper", "--overwrite", "-q"}), Exit::ok);
+  EXPECT_EQ(run({"--figure", "3", "-o", "paper", "--overwrite", "-q", "--json"}), Exit::ok);
   EXPECT_EQ(err_.str(), "");
+  EXPECT_EQ(json::parse(out_.str()), json::parse(test::read_text("paper/reproduction.json")));
 }
 
 TEST_F(ReproduceCommand, RefusesFiguresThatThePaperHasNot) {

@@ -126,6 +126,21 @@ TEST_F(StudyCommand, TakesAsManySeedsAsTheMeanNeeds) {
   EXPECT_EQ(results("one"), enough);
 }
 
+TEST_F(StudyCommand, TellsItsMeanAsJson) {
+  write("seeds = 3\n");
+  ASSERT_EQ(run({"study.toml", "--members", "0:2", "--json", "-q"}), Exit::ok) << err_.str();
+  using nlohmann::json;
+  EXPECT_EQ(json::parse(out_.str()),
+            (json{{"folder", "runs/study"}, {"members", 2}, {"done", 2}, {"failed", 0}, {"open", 0}}));
+  ASSERT_EQ(run({"study.toml", "--json", "-q"}), Exit::ok) << err_.str();
+  EXPECT_EQ(err_.str(), "");
+  const json told = json::parse(out_.str());
+  EXPECT_EQ(told["done"], 3);
+  EXPECT_GT(told["peak_stress"]["mean_Pa"].get<double>(), 0);
+  EXPECT_GT(told["peak_stress"]["half_width_95_Pa"].get<double>(), 0);
+  for (const json& file : told["files"]) EXPECT_TRUE(fs::exists(fs::path("runs/study") / file)) << file;
+}
+
 TEST_F(StudyCommand, RefusesWhatItCannotWorkWith) {
   write("[vary]\n\"solver.cfl\" = [0.5, 0.8]\n");
   expect_refusal({}, "STUDY: missing; mesopix study STUDY.toml");

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "apps/other_program.hpp"
 #include "tests/apps/fake_slurm.hpp"
 #include "tests/apps/program_in_folder.hpp"
@@ -67,6 +69,18 @@ TEST_F(StudySubmitCommand, RefusesWhatItCannotSubmit) {
   expect_refusal({"submit"}, "STUDY: missing; mesopix study STUDY.toml");
 }
 
+TEST_F(StudySubmitCommand, TellsTheJobAsJsonAndIsQuiet) {
+  slurm_.answer("sbatch", "echo 88");
+  ASSERT_EQ(run({"submit", "study.toml", "--slurm", "--json", "-q"}), Exit::ok) << err_.str();
+  EXPECT_EQ(err_.str(), "");
+  EXPECT_EQ(
+      nlohmann::json::parse(out_.str()),
+      (nlohmann::json{
+          {"job", "88"}, {"script", "runs/study/slurm/001/job.sh"}, {"tasks", 3}, {"members_a_task", 10}}));
+  expect_refusal({"submit", "study.toml", "--commands", "--json"},
+                 "--json: given with --commands; goes with --slurm");
+}
+
 class StudyCluster : public StudySubmitCommand {};
 
 TEST_F(StudyCluster, StatusCountsMembersAndTasks) {
@@ -95,6 +109,9 @@ TEST_F(StudyCluster, CollectMakesWhatARunInOneGoMakes) {
   EXPECT_EQ(run({"collect", "study.toml", "-o", "parts"}), Exit::interrupted);
   EXPECT_THAT(err_.str(), HasSubstr("10 of 23 members have no result yet\n"));
   EXPECT_THAT(test::read_text("parts/table.csv"), HasSubstr(",open,"));
+  EXPECT_EQ(run({"collect", "study.toml", "-o", "parts", "--json", "-q"}), Exit::interrupted);
+  EXPECT_EQ(err_.str(), "");
+  EXPECT_EQ(nlohmann::json::parse(out_.str())["open"], 10);
   ASSERT_EQ(run({"study.toml", "-o", "parts", "--members", "0:10"}), Exit::ok);
   ASSERT_EQ(run({"collect", "study.toml", "-o", "parts"}), Exit::ok) << err_.str();
   for (const char* name : {"/table.csv", "/table.h5", "/report.html"})

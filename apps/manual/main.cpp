@@ -1,0 +1,56 @@
+// Writes the manual pages, the completions of shells and the reference, from the options of the program and
+// the schema of scenes.   Usage: mesopix_manual FOLDER SCENE.toml
+#include <filesystem>
+#include <iostream>
+
+#include "apps/manual/completions.hpp"
+#include "apps/manual/man_pages.hpp"
+#include "apps/manual/reference.hpp"
+#include "apps/program.hpp"
+#include "apps/text_file.hpp"
+#include "libmpm/replace_file.hpp"
+#ifdef MESOPIX_EVIDENCE
+#include "apps/evidence_commands.hpp"
+#endif
+
+namespace {
+
+namespace fs = std::filesystem;
+
+manual::Command program() {
+#ifdef MESOPIX_EVIDENCE
+  const app::MoreCommands more = app::evidence_commands();
+#else
+  const app::MoreCommands more;
+#endif
+  manual::Command tree;
+  app::look_at_program([&](const CLI::App& root) { tree = manual::command_tree(root); }, more);
+  return tree;
+}
+
+void write(const fs::path& folder, const std::vector<manual::File>& files) {
+  fs::remove_all(folder);  // a page of a command that is gone
+  fs::create_directories(folder);
+  for (const manual::File& file : files) mpm::replace_file((folder / file.name).string(), file.text);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: mesopix_manual FOLDER SCENE.toml\n";
+    return static_cast<int>(app::Exit::usage);
+  }
+  try {
+    const fs::path folder = argv[1];
+    const std::string scene = app::read_text_file(argv[2]);
+    const manual::Command tree = program();
+    write(folder / "man", manual::man_pages(tree, scene));
+    write(folder / "completions", manual::completions(tree));
+    write(folder / "reference", manual::reference(tree, scene));
+  } catch (const std::exception& error) {
+    std::cerr << "mesopix_manual: " << error.what() << '\n';
+    return static_cast<int>(app::Exit::io);
+  }
+  return 0;
+}

@@ -1,0 +1,136 @@
+#include "apps/manual/man_pages.hpp"
+
+#include <cctype>
+
+#include "apps/exit_codes.hpp"
+#include "apps/manual/expected_value.hpp"
+#include "apps/manual/help_text.hpp"
+#include "apps/manual/roff.hpp"
+
+namespace manual {
+namespace {
+
+constexpr const char* general = "Options";  // heading of the options that belong to no group
+
+std::string term_of(const Option& option) {
+  std::string term;
+  for (const std::string& name : option.names) {
+    if (name.find('.') != std::string::npos && !is_of_phases(option) && !term.empty()) continue;  // its key
+    term += (term.empty() ? "" : ", ") + bold(name);
+  }
+  return option.type.empty() ? term : term + " " + italic(option.type);
+}
+
+void write(ManPage& page, const std::vector<Passage>& passages) {
+  for (const Passage& passage : passages) {
+    if (!passage.text.empty()) page.paragraph(roff(passage.text));
+    if (!passage.verbatim.empty()) page.verbatim(passage.verbatim);
+    for (const Item& item : passage.items) page.item(bold(item.term), roff(item.text));
+  }
+}
+
+void write_synopsis(ManPage& page, const Command& command) {
+  page.section("SYNOPSIS");
+  page.paragraph(bold(joined(command, " ")) + roff(synopsis(command).substr(joined(command, " ").size())));
+  if (!command.below.empty()) page.paragraph(bold(joined(command, " ")) + " " + italic("COMMAND") + " ...");
+}
+
+void write_commands(ManPage& page, const Command& command) {
+  if (command.below.empty()) return;
+  page.section("COMMANDS");
+  std::string group;
+  for (const Command& below : command.below) {
+    if (below.group != group && below.group != "Subcommands") page.subsection(below.group);
+    group = below.group;
+    page.item(bold(joined(below, "-")) + "(1)", roff(below.description));
+  }
+}
+
+void write_arguments(ManPage& page, const Command& command) {
+  if (command.arguments.empty()) return;
+  page.section("ARGUMENTS");
+  for (const Argument& argument : command.arguments)
+    page.item(italic(argument.name) + (argument.repeatable ? " ..." : ""), roff(argument.help));
+}
+
+void write_options(ManPage& page, const Command& command) {
+  page.section("OPTIONS");
+  for (const std::string& group : option_groups(command)) {
+    if (group != general) page.subsection(group);
+    for (const Option& option : command.options)
+      if (option.group == group) page.item(term_of(option), roff(option.help));
+  }
+  if (keys_of(command).empty()) return;
+  page.subsection("Settings by their keys");
+  page.paragraph("Every setting of a scene that the command takes is also an option by its key, as " +
+                 bold(option_by_key(command)) + ", and may be given with " + bold("--set") +
+                 ". The keys are those of " + bold("mesopix-scene") + "(5). In names of options " +
+                 bold("-") + " and " + bold("_") + " are the same.");
+}
+
+void write_exit_status(ManPage& page) {
+  page.section("EXIT STATUS");
+  for (const app::ExitMeaning& meaning : app::exit_meanings())
+    page.item(bold(std::to_string(static_cast<int>(meaning.code))), roff(meaning.whole));
+}
+
+void write_environment(ManPage& page) {
+  page.section("ENVIRONMENT");
+  page.item(bold("NO_COLOR"), "Where it is set and not empty, nothing is coloured.");
+  page.item(bold("TERM"), "Where it is " + bold("dumb") + ", nothing is coloured, and no progress is drawn.");
+  page.paragraph(
+      "Both are about terminals alone. What the program computes depends on nothing but its options and "
+      "files.");
+}
+
+/// The pages of the program, of the commands beside and below this one, and of scenes.
+void write_see_also(ManPage& page, const Command& command, const Command& program) {
+  page.section("SEE ALSO");
+  std::string text;
+  const auto add = [&](const std::string& name, const char* section) {
+    text += (text.empty() ? "" : ",\n") + bold(name) + section;
+  };
+  for (const Command* one : every_command(program)) {
+    const bool far = one->words.size() > 2 && command.words.size() > 1 && one->words[1] != command.words[1];
+    if (one != &command && !far) add(joined(*one, "-"), "(1)");
+  }
+  add("mesopix-scene", "(5)");
+  page.paragraph(text);
+}
+
+}  // namespace
+
+std::string command_man_page(const Command& command, const Command& program) {
+  const bool whole = command.words.size() == 1;
+  std::string about = command.description;
+  if (const std::size_t colon = about.find(": "); whole && colon != std::string::npos)
+    about.erase(0, colon + 2);
+  ManPage page(joined(command, "-"), 1, about);
+  about.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(about.front())));
+  write_synopsis(page, command);
+  const HelpText text = help_text(command.footer);
+  page.section("DESCRIPTION");
+  page.paragraph(roff(about) + ".");
+  write(page, text.notes);
+  write_commands(page, command);
+  write_arguments(page, command);
+  write_options(page, command);
+  if (!text.examples.empty()) {
+    page.section("EXAMPLES");
+    write(page, text.examples);
+  }
+  if (whole) write_environment(page);
+  write_exit_status(page);
+  write_see_also(page, command, program);
+  return page.text();
+}
+
+std::vector<File> man_pages(const Command& program, const std::string& scene) {
+  std::vector<File> pages;
+  for (const Command* command : every_command(program))
+    pages.push_back({joined(*command, "-") + ".1", command_man_page(*command, program)});
+  pages.push_back({"mesopix-scene.5", scene_man_page(scene)});
+  return pages;
+}
+
+}  // namespace manual

@@ -1,0 +1,135 @@
+#include "apps/manual/setting_words.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "apps/ellipse_list.hpp"
+#include "apps/suggestion.hpp"
+
+namespace manual {
+namespace {
+
+using app::Value;
+
+/// A value below all that a number of this kind may be.
+template <class Field>
+Value far_below(const Field& field) {
+  if (!field.measure) return {std::numeric_limits<std::int64_t>::min()};
+  return {app::format_quantity(-1e300, field.measure->dimension)};
+}
+
+/// The field itself says what it accepts, when it is given what it cannot accept.
+template <class Field, class Object>
+std::string allowed_by(const Field& field, Object object) {
+  if (field.kind != app::Kind::quantity && field.kind != app::Kind::integer) return {};
+  try {
+    field.set(object, far_below(field));
+  } catch (const app::Mistake& mistake) {
+    const std::string must = mistake.allowed;
+    for (const char* verb : {"must be ", "must lie "})
+      if (must.rfind(verb, 0) == 0) return must.substr(std::string(verb).size());
+    return must;
+  }
+  return "any";
+}
+
+std::string default_of(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  const auto* list = std::get_if<Value::List>(&value.data);
+  const bool empty = (text != nullptr && text->empty()) || (list != nullptr && list->empty());
+  return empty ? std::string() : toml_text(value);
+}
+
+template <class Field, class Object>
+SettingWords words_of(const std::string& key, const Field& field, const Object& defaults) {
+  return {key, field.kind == app::Kind::boolean ? "true|false" : field.type, default_of(field.get(defaults)),
+          allowed_by(field, defaults), field.help};
+}
+
+TableWords phases_table(const app::Group& group) {
+  TableWords table{"phases.NAME", group.title, {}};
+  for (const app::PhaseField& property : app::phase_fields()) {
+    table.settings.push_back(words_of("phases.NAME." + property.key, property, mpm::Phase()));
+    table.settings.back().default_value = phase_defaults(property);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<TableWords> scene_tables() {
+  std::vector<TableWords> tables;
+  const app::Settings defaults;
+  for (const app::Group& group : app::groups()) {
+    if (group.name == "phases") {
+      tables.push_back(phases_table(group));
+      continue;
+    }
+    tables.push_back({group.name, group.title, {}});
+    for (const app::Field& field : app::fields())
+      if (app::group_of(field.key) == group.name)
+        tables.back().settings.push_back(words_of(field.key, field, defaults));
+  }
+  return tables;
+}
+
+std::string phase_defaults(const app::PhaseField& property) {
+  const std::vector<mpm::Phase> phases = app::Settings().phases;
+  const auto is_first = [&](const auto& phase) {
+    return property.get(phase) == property.get(phases.front());
+  };
+  if (std::all_of(phases.begin(), phases.end(), is_first)) return toml_text(property.get(phases.front()));
+  std::string text;
+  for (const mpm::Phase& phase : phases)
+    text += (text.empty() ? "" : ", ") + toml_text(property.get(phase)) + " (" + phase.name + ")";
+  return text;
+}
+
+std::vector<std::string> about_scenes() {
+  return {
+      "A scene says what is broken and how: where the specimen comes from, its phases, the loading, the "
+      "solver, "
+      "and what is kept. It is a file in TOML, called something.toml. Every setting has a default, so that "
+      "an "
+      "empty file is a scene too. mesopix simulate --print-scene prints a scene with all settings that have "
+      "an "
+      "effect, and every run keeps its own as scene.toml.",
+      "Quantities are texts with a unit, as \"0.05 m/s\"; ratios are numbers or texts like \"20 %\". Names "
+      "of "
+      "files are relative to the folder of the scene. A key that does not exist, a value that is not allowed "
+      "and "
+      "a setting that would have no effect are refused, with their line.",
+      "Every key is also an option of the commands that it concerns, as --loading.velocity \"0.1 m/s\", and "
+      "what "
+      "the command line says counts more than what the file says.",
+      "The specimen is that of one of specimen.file, specimen.picture, specimen.ellipses and [[ellipses]]; "
+      "without them it is drawn at random by the settings of [generate].",
+  };
+}
+
+std::string about_ellipses() {
+  std::vector<std::string> required;
+  std::vector<std::string> optional;
+  for (const app::EllipseColumn& column : app::ellipse_columns)
+    (column.required ? required : optional).emplace_back(column.name);
+  return "Aggregates may stand in the scene itself, each a table [[ellipses]] with " +
+         app::listed(required, "and") + ", and with " + app::listed(optional, "and") +
+         " where it is not 0: the place of the centre from the bottom left corner, the semi-axes, of which a "
+         "is "
+         "the longer one, and the angle of a against x, counter-clockwise.";
+}
+
+std::vector<TypeWords> quantity_types() {
+  using app::Dimension;
+  std::vector<TypeWords> types;
+  for (const Dimension dimension :
+       {Dimension::ratio, Dimension::length, Dimension::area, Dimension::pressure, Dimension::angle,
+        Dimension::velocity, Dimension::density, Dimension::time, Dimension::energy})
+    types.push_back(
+        {app::Quantity{dimension, {}, {}}.type(),
+         (dimension == Dimension::ratio ? "no unit, " : "") + app::listed(app::unit_names(dimension)),
+         app::example(dimension)});
+  return types;
+}
+
+}  // namespace manual
