@@ -11,7 +11,7 @@ from pathlib import Path
 source, page = Path(sys.argv[1]), sys.argv[2]
 programs, work, packages = (Path(argument).resolve() for argument in sys.argv[3:])
 text = (source / page).read_text()
-blocks = re.findall(r"(<!-- not run as a test: .+ -->\n)?```sh\n(.*?)```", text, re.S)
+blocks = re.findall(r"(<!-- not run as a test: [^\n]+ -->\n)?```sh\n(.*?)```", text, re.S)
 run = "".join(commands for excuse, commands in blocks if not excuse)
 excused = "".join(commands for excuse, commands in blocks if excuse)
 script = "".join(re.findall(r"```python\n(.*?)```", text, re.S))
