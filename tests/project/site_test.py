@@ -64,6 +64,24 @@ for path in (source / "docs").glob("*.md"):
     faults += [f"{path.name}: ${one}$: blanks at an end" for one in inline if one != one.strip()]
     faults += [f"{path.name}: ${one}$: {what}" for one in inline for what, danger in dangers.items() if re.search(danger, one)]
     faults += [f"{path.name}: {one}: two backslashes" for one in blocks if "\\\\" in one]
+
+# Files and functions of the sources that pages name; those of the examples in contributing.md are none.
+sources = {str(path.relative_to(source)): path for folder in ("specimen", "libmpm", "apps", "tests", "docs", "data")
+           for path in (source / folder).rglob("*") if path.is_file() and path.suffix != ".pyc"}
+code = "".join(path.read_text() for name, path in sources.items() if name.endswith((".cpp", ".hpp")))
+named = 0
+for page in ("contributing", "theory"):
+    for one in re.findall(r"`([^`\n]+)`", (source / "docs" / f"{page}.md").read_text()):
+        if re.search("farbfeld|point_table", one):
+            continue
+        if re.fullmatch(r"[\w/*]+\.(cpp|hpp|py)", one):
+            pattern = re.compile("(.*/)?" + re.escape(one).replace(r"\*", "[^/]*"))
+            faults += [] if any(pattern.fullmatch(name) for name in sources) else [f"{page}.md: {one}: there is no such file"]
+            named += 1
+        elif call := re.fullmatch(r"(?:\w+::)?(\w+)\(\)", one):
+            faults += [] if re.search(rf"\b{call[1]}\(", code) else [f"{page}.md: {one}: there is no such function"]
+            named += 1
+assert named > 80, f"{named} names of the sources"
 assert not faults, "\n".join(faults)
 
 options = webdriver.ChromeOptions()
