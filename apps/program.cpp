@@ -51,12 +51,12 @@ class Program {
     root_.footer(footer_text());
     root_.allow_extras();
     root_.require_subcommand(0, 1);  // a file may be called as a command is
-    heading_ = "First, a specimen";
+    heading_ = "First, a specimen and a scene";
     add<GenerateCommand>();
     add<ConvertCommand>();
     add<TwinCommand>();
-    heading_ = "Then, break it";
     add<SceneCommand>();
+    heading_ = "Then, break it";
     add<SimulateCommand>();
     add<StudyCommand>();
     add<CalibrateCommand>();

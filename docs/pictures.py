@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Takes the pictures of README.md and docs/results.md, from runs made on the spot.
+"""Takes the pictures of README.md and of the pages in docs/, from runs made on the spot.
 
     docs/pictures.py build/release/bin/mesopix [NAME...]     all of them, or docs/NAME.png
 
 Needs Debian's chromium-driver, python3-selenium, python3-pil, paraview, imagej and xvfb.
 """
 import io
+import os
 import pathlib
 import re
 import subprocess
@@ -166,7 +167,41 @@ run("Quit");
     keep(Image.open(here / "imagej.png"), "imagej")
 
 
-pictures = {one.__name__: one for one in (report, phone, live, comparison, study, damage, stress, paraview, imagej)}
+def follow(page, here):
+    """Runs the commands of a page, but for those that are not run as a test."""
+    blocks = re.findall(r"(<!-- not run as a test: [^\n]+ -->\n)?```sh\n(.*?)```", (docs / page).read_text(), re.S)
+    here.mkdir(exist_ok=True)
+    (here / "data").symlink_to(data)
+    subprocess.run(["bash", "-eu", "-c", "".join(commands for excuse, commands in blocks if not excuse)], cwd=here, check=True,
+                   env=dict(os.environ, PATH=f"{mesopix.parent}:{os.environ['PATH']}"), stderr=subprocess.DEVNULL)
+
+
+def tutorial_specimen(here):
+    follow("tutorial.md", here / "tutorial")
+    preview = Image.open(here / "tutorial/cut_preview.png").convert("RGB")
+    keep(preview.resize((450, 450), Image.Resampling.NEAREST), "tutorial_specimen", 8)
+
+
+def tutorial_damage(here):
+    if not (here / "tutorial").exists():
+        follow("tutorial.md", here / "tutorial")
+    run(mesopix, "plot", here / "tutorial/runs/fine", "--at", "110%peak", "-o", here / "damage.png")
+    keep(Image.open(here / "damage.png").reduce(3), "tutorial_damage", 32)
+
+
+def segmentation(here):
+    """The picture, and what comes of it: by itself, by Otsu's threshold on grey, and with a least area of islands."""
+    follow("segmentation.md", here / "segmentation")
+    names = ("difficult.ppm", "first_preview.png", "grey_preview.png", "pores_preview.png")
+    panels = [Image.open(here / "segmentation" / name).convert("RGB").resize((240, 240)) for name in names]
+    row = Image.new("RGB", (4 * 240 + 3 * 12, 240), "white")
+    for i, panel in enumerate(panels):
+        row.paste(panel, (252 * i, 0))
+    keep(row, "segmentation", 64)
+
+
+pictures = {one.__name__: one for one in (report, phone, live, comparison, study, damage, stress, paraview, imagej, tutorial_specimen,
+                                           tutorial_damage, segmentation)}
 wanted = sys.argv[2:] or list(pictures)
 for name in wanted:
     if name not in pictures:
