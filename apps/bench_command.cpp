@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* bench_footer =
     "error      error against run time: problems with a known answer, and the paper's tension test, solved "
     "in "
     "many ways;\n"
@@ -64,7 +64,8 @@ class CountLine {
 }  // namespace
 
 BenchCommand::BenchCommand(CLI::App& program)
-    : Command(program, "bench", "Measure error against run time, stability, and what features cost", footer) {
+    : Command(program, "bench", "Measure error against run time, stability, and what features cost",
+              bench_footer) {
   options().add_option("WHAT", what_, listed(benches()))->type_name("");
   options()
       .add_option("--problem", problems_, "error: problem to solve, e.g. bar; may be given again [all]")

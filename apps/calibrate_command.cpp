@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* calibrate_footer =
     "What is free is scaled: each parameter is a factor on the values in the scene, between a twentieth and "
     "twenty\ntimes, and may stand for several settings, which keep their ratios:\n"
     "  mortar.tensile_scale                  a key of the scene (phases. may be left out)\n"
@@ -64,7 +64,8 @@ Exit exit_of(const CalibrationTask& task, const Calibration& calibration, const 
 }  // namespace
 
 CalibrateCommand::CalibrateCommand(CLI::App& program)
-    : Command(program, "calibrate", "Fit parameters of a scene to a measured peak or curve", footer),
+    : Command(program, "calibrate", "Fit parameters of a scene to a measured peak or curve",
+              calibrate_footer),
       settings_(options(), offer_of_calibrate()) {
   options().add_option("SCENE", input_, "scene.toml, where the search begins")->type_name("");
   options()

@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-const std::string* as_text(const Value& value) { return std::get_if<std::string>(&value.data); }
+const std::string* as_words(const Value& value) { return std::get_if<std::string>(&value.data); }
 
 const Value::List& as_list(const Value& value, const std::string& allowed) {
   const auto* list = std::get_if<Value::List>(&value.data);
@@ -63,7 +63,7 @@ std::vector<std::string> Texts::read(const Value& value) const {
   const std::string allowed = "must be a list of names, e.g. [\"void\", \"mortar\", \"aggregate\"]";
   std::vector<std::string> texts;
   for (const Value& item : as_list(value, allowed)) {
-    const std::string* text = as_text(item);
+    const std::string* text = as_words(item);
     if (text == nullptr || text->empty()) throw Mistake(allowed);
     texts.push_back(*text);
   }
@@ -102,7 +102,7 @@ LabelNames::Names LabelNames::read(const Value& value) const {
   const std::string allowed = "must be a list of labels and names, e.g. [\"0: void\", \"1: mortar\"]";
   Names names;
   for (const Value& item : as_list(value, allowed)) {
-    const std::string* text = as_text(item);
+    const std::string* text = as_words(item);
     if (text == nullptr) throw Mistake(allowed);
     const auto [label, phase] = cut_at(*text, ":", label_name_form);
     const auto number = whole_number(label);
@@ -122,7 +122,7 @@ specimen::Grading SizeClasses::read(const Value& value) const {
   const std::string allowed = "must be a list of size classes, e.g. [\"10 mm .. 20 mm: 60 %\", ...]";
   specimen::Grading classes;
   for (const Value& item : as_list(value, allowed)) {
-    const std::string* text = as_text(item);
+    const std::string* text = as_words(item);
     if (text == nullptr) throw Mistake(allowed);
     classes.push_back(read_size_class(*text));
   }

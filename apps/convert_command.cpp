@@ -15,7 +15,7 @@
 namespace app {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* convert_footer =
     "Example: a photograph that is 150 mm wide, cut into 300 columns of pixels\n"
     "  mesopix convert photo.jpg --width \"150 mm\" --pixels 300 -o specimen.h5";
 
@@ -42,7 +42,7 @@ nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specime
 }  // namespace
 
 ConvertCommand::ConvertCommand(CLI::App& program)
-    : Command(program, "convert", "Turn a picture into a specimen", footer),
+    : Command(program, "convert", "Turn a picture into a specimen", convert_footer),
       settings_(options(), offer_of_convert()) {
   options()
       .add_option("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one")

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* doctor_footer =
     "Looks at the machine, the current folder and the terminal, and solves two small scenes whose answers "
     "are "
     "known,\nin two seconds. Each line is ok, a warning with its cure, or failed. Exit codes: 0 ready, 70 "
@@ -20,7 +20,7 @@ constexpr const char* footer =
 }  // namespace
 
 DoctorCommand::DoctorCommand(CLI::App& program)
-    : Command(program, "doctor", "Tell whether this machine and this program are ready", footer) {
+    : Command(program, "doctor", "Tell whether this machine and this program are ready", doctor_footer) {
   options().add_flag("--json", json_, "findings and figures as JSON");
   options().add_flag("-q,--quiet", quiet_, "only what is not well");
 }

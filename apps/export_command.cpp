@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* export_footer =
     "Formats of a specimen: inp (Abaqus, CalculiX), msh (Gmsh), vti (ParaView), png and tif (labels), csv\n"
     "(inclusions), roi (their outlines for ImageJ and Fiji). Of a run: tif (damage.tif and "
     "failure_strain.tif).\n"
@@ -134,7 +134,8 @@ fs::path folder_of_maps(const fs::path& wanted, const std::string& result_file) 
 }  // namespace
 
 ExportCommand::ExportCommand(CLI::App& program)
-    : Command(program, "export", "Write a specimen or a run in the format of another program", footer) {
+    : Command(program, "export", "Write a specimen or a run in the format of another program",
+              export_footer) {
   options().add_option("INPUT", input_, "specimen.h5, or folder of a run")->type_name("");
   options().add_option("--to", format_, "format")->type_name("inp|msh|vti|png|tif|csv|roi");
   options()

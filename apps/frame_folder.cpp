@@ -23,7 +23,7 @@ constexpr const char* folder_name = "frames";
 constexpr const char* series_name = "frames.hdf.series";
 constexpr const char* xdmf_name = "frames.xdmf";
 
-void remove_file(const fs::path& path) {
+void remove_frame_file(const fs::path& path) {
   std::error_code error;
   fs::remove(path, error);
   if (error)
@@ -41,7 +41,7 @@ std::string text_of(const fs::path& path) {
 /// What is not a frame stays, and with it the folder.   @param kept  names of frames that stay.
 void remove_frames(const fs::path& run, const std::set<std::string>& kept) {
   for (const fs::path& frame : frames_of(run))
-    if (!kept.contains(frame.filename().string())) remove_file(frame);
+    if (!kept.contains(frame.filename().string())) remove_frame_file(frame);
   std::error_code error;
   if (fs::is_directory(run / folder_name, error))
     fs::remove(run / folder_name, error);  // fails, as it should, while something is in it
@@ -68,8 +68,8 @@ FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vecto
   if (!kept.empty()) {
     write_lists();
   } else {
-    remove_file(run_ / series_name);
-    remove_file(run_ / xdmf_name);
+    remove_frame_file(run_ / series_name);
+    remove_frame_file(run_ / xdmf_name);
   }
 }
 

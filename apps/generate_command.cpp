@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* generate_footer =
     "Example: a specimen of 100 mm with 40 % of aggregates between 4 and 16 mm\n"
     "  mesopix generate --width \"100 mm\" --height \"100 mm\" --fraction 0.4 --d-min \"4 mm\" --d-max \"16 "
     "mm\" "
@@ -21,7 +21,7 @@ constexpr const char* footer =
 }  // namespace
 
 GenerateCommand::GenerateCommand(CLI::App& program)
-    : Command(program, "generate", "Draw random or listed ellipses as a specimen", footer),
+    : Command(program, "generate", "Draw random or listed ellipses as a specimen", generate_footer),
       settings_(options(), offer_of_generate()) {
   options().add_option("[SCENE]", scene_, "scene.toml whose specimen to draw")->type_name("");
   options()

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* help_footer =
     "The same as --help behind a command. man mesopix has it too, where the program is installed.\n"
     "Examples:\n"
     "  mesopix help simulate\n"
@@ -31,7 +31,7 @@ const CLI::App& command_below(const CLI::App& parent, const std::string& name, c
 }  // namespace
 
 HelpCommand::HelpCommand(CLI::App& program)
-    : Command(program, "help", "Tell how a command is used, as --help behind it does", footer) {
+    : Command(program, "help", "Tell how a command is used, as --help behind it does", help_footer) {
   options().add_option("[COMMAND]", words_, "name of a command, and of one below it")->type_name("");
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* footer =
+constexpr const char* inspect_footer =
     "Examples: a run; a photograph, whose scale and size convert will take; a specimen, for a script\n"
     "  mesopix inspect runs/specimen\n"
     "  mesopix inspect photo.jpg\n"
@@ -144,7 +144,8 @@ std::string figures_text(const Json& figures) {
 }  // namespace
 
 InspectCommand::InspectCommand(CLI::App& program)
-    : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture", footer) {
+    : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture",
+              inspect_footer) {
   options().add_option("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture")->type_name("");
   options().add_flag("--json", json_, "as JSON");
 }

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr double margin = 16;  ///< of paper [px]
 
-constexpr const char* footer =
+constexpr const char* plot_footer =
     "Stress is that of the frame nearest to --at (mesopix simulate SCENE --frames 40), in MPa, tension "
     "positive.\n"
     "Components: yy along the loading, xx across it, xy; first and third, the largest and the smallest of "
@@ -120,7 +120,8 @@ std::string bytes_of(const output::Drawing& drawing, Format format) {
 }  // namespace
 
 PlotCommand::PlotCommand(CLI::App& program)
-    : Command(program, "plot", "Draw damage, stress or the curve of a run for a paper or a slide", footer) {
+    : Command(program, "plot", "Draw damage, stress or the curve of a run for a paper or a slide",
+              plot_footer) {
   options().add_option("RUN", run_, "folder of a run")->type_name("");
   options().add_option("--what", what_, "what to draw [damage]")->type_name("damage|stress|curve");
   add("--at", at_, "STRAIN", "strain, or share of the peak strain, of damage or stress [100%peak]",

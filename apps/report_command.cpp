@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* report_footer =
     "The report of a single run is report.html in its folder.\n"
     "Example: two specimens that differ in their random strengths\n"
     "  mesopix simulate specimen.h5 --seed 1 -o runs/one\n"
@@ -79,7 +79,7 @@ nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& r
 }  // namespace
 
 ReportCommand::ReportCommand(CLI::App& program)
-    : Command(program, "report", "Lay several runs over each other on one page", footer) {
+    : Command(program, "report", "Lay several runs over each other on one page", report_footer) {
   options().add_option("RUN", runs_, "folders of runs, or their result.h5")->type_name("");
   options().add_option("-o,--output", output_, "the page [comparison.html]")->type_name("FILE");
   options().add_flag("--json", json_, "key figures and differences as JSON on standard output");

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* reproduce_footer =
     "All of them take a few minutes. The scenes are those of data/paper, which mesopix simulate runs too.\n"
     "Example: the figures on the random specimen's curves and on the Weibull modulus\n"
     "  mesopix reproduce --figure 5 --figure 12 -o runs/paper";
@@ -69,7 +69,8 @@ void say_verdicts(const reproduce::Reproduction& reproduction, Console& console)
 }  // namespace
 
 ReproduceCommand::ReproduceCommand(CLI::App& program)
-    : Command(program, "reproduce", "Repeat the figures of the paper, and judge its claims", footer) {
+    : Command(program, "reproduce", "Repeat the figures of the paper, and judge its claims",
+              reproduce_footer) {
   options()
       .add_option("--figure", figures_, "figure of the paper, e.g. 12; may be given again [all]")
       ->type_name("N");

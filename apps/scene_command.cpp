@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* scene_footer =
     "A scene says all about a run in one file. From nothing to a broken specimen:\n"
     "  mesopix scene init\n"
     "  mesopix simulate scene.toml\n"
@@ -71,7 +71,7 @@ mpm::Direction direction_named(const std::string& word) {
 }  // namespace
 
 SceneCommand::SceneCommand(CLI::App& program)
-    : Command(program, "scene", "Begin a scene, look through it, describe it to editors", footer) {
+    : Command(program, "scene", "Begin a scene, look through it, describe it to editors", scene_footer) {
   below_.push_back(std::make_unique<SceneInitCommand>(options()));
   below_.push_back(std::make_unique<SceneCheckCommand>(options()));
   below_.push_back(std::make_unique<SceneSchemaCommand>(options()));

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* simulate_footer =
     "The settings of the specimen are options too, by their keys: --generate.fraction 0.4, --convert.width "
     "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
     "a scene.\n"
@@ -52,7 +52,8 @@ output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const I
 }  // namespace
 
 SimulateCommand::SimulateCommand(CLI::App& program)
-    : Command(program, "simulate", "Break a specimen, and write what happened into a folder", footer),
+    : Command(program, "simulate", "Break a specimen, and write what happened into a folder",
+              simulate_footer),
       settings_(options(), offer_of_simulate()) {
   options().add_option("[INPUT]", input_, "specimen.h5, scene.toml or picture")->type_name("");
   options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");

@@ -49,7 +49,7 @@ constexpr const char* about_members =
     "  mesopix study data/tension_study.toml --until-ci \"2 %\"";
 
 /// What a study file may say, by its own schema.
-std::string footer() {
+std::string study_footer() {
   std::string text = "Keys of STUDY.toml:\n";
   for (const auto& field : study_fields())
     text += fmt::format("  {:<14}{:<30}{}\n", field.key, field.type, field.help);
@@ -59,7 +59,7 @@ std::string footer() {
 }  // namespace
 
 StudyCommand::StudyCommand(CLI::App& program)
-    : Command(program, "study", "Run a scene many times, with other seeds and values", footer()) {
+    : Command(program, "study", "Run a scene many times, with other seeds and values", study_footer()) {
   input_.add_to(options());
   options().add_option("--jobs", jobs_, "members at a time [one a core]")->type_name("N");
   options()

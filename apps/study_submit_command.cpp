@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* study_submit_footer =
     "The members that have neither a result nor a failure become the tasks of an array job, some of them a "
     "task.\nResults go to the folder of the study, which all nodes must see; each is written whole or not at "
     "all. A task\nwhose time is nearly up keeps what it has and queues itself again; one whose node fails is "
@@ -64,7 +64,7 @@ std::string command_of(const char* name, const StudyInput& input) {
 }  // namespace
 
 StudySubmitCommand::StudySubmitCommand(CLI::App& study)
-    : Command(study, "submit", "Leave a study to Slurm, or list its commands", footer) {
+    : Command(study, "submit", "Leave a study to Slurm, or list its commands", study_submit_footer) {
   input_.add_to(options());
   options().add_flag("--slurm", slurm_, "submit an array job with sbatch");
   options().add_flag("--commands", commands_, "print a command a line, for GNU parallel and the like");

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer =
+constexpr const char* twin_footer =
     "PICTURE is all that convert reads, with its options, since the scale must be known; or a specimen.h5, "
     "or a\n"
     "scene.toml. Sizes, aspect ratios and directions of its aggregates are measured, and as many random ones "
@@ -44,7 +44,7 @@ std::vector<TwinRecord> make(const TwinTask& task, const fs::path& folder, const
 }  // namespace
 
 TwinCommand::TwinCommand(CLI::App& program)
-    : Command(program, "twin", "Draw random specimens that are like a picture", footer),
+    : Command(program, "twin", "Draw random specimens that are like a picture", twin_footer),
       settings_(options(), offer_of_twin()) {
   options()
       .add_option("PICTURE", input_, "picture, specimen.h5 or scene.toml of the original")
