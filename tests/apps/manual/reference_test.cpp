@@ -50,7 +50,7 @@ TEST(Reference, OfScenesHoldsKeysWithTypeDefaultAndWhatIsAllowed) {
   const std::string page = manual::scene_page("[loading]\n");
   EXPECT_THAT(page, HasSubstr("| `velocity` | `VELOCITY` | `\"0.05 m/s\"` | > 0 | of the top platen |\n"));
   EXPECT_THAT(page, HasSubstr("```toml\n[loading]\n```\n"));
-  EXPECT_THAT(page, HasSubstr("\n## \\[\\[ellipses\\]\\]\n"));
+  EXPECT_THAT(page, HasSubstr("\n## `[[ellipses]]`\n"));
 }
 
 TEST(Reference, OfExitCodesHoldsThemAll) {
