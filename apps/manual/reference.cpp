@@ -144,12 +144,12 @@ std::string scene_page(const std::string& scene) {
     page += row({code(type.name), plain(type.units), code(type.example)});
   page += row({code("N"), "", "a whole number, " + code("20")}) + "\n";
   for (const TableWords& table : scene_tables()) {
-    page += "## " + "`[" + table.name + "]`" + ": " + plain(table.title) + "\n\n" +
+    page += "## `[" + table.name + "]`: " + plain(table.title) + "\n\n" +
             table_head({"Key", "Type", "Default", "Allowed", "Meaning"});
     for (const SettingWords& setting : table.settings) page += setting_row(setting);
     page += "\n";
   }
-  return page + "## " + "`[[ellipses]]`" + "\n\n" + plain(about_ellipses()) + "\n";
+  return page + "## `[[ellipses]]`\n\n" + plain(about_ellipses()) + "\n";
 }
 
 std::string exit_codes_page() {
