@@ -91,7 +91,8 @@ Finding about_disk(const Examination& it) {
 
 Finding about_libraries(const Examination& it) {
   std::string text;
-  for (const auto& [name, number] : it.libraries) text += (text.empty() ? "" : ", ") + name + " " + number;
+  for (const auto& [name, number] : it.libraries)
+    text.append(text.empty() ? "" : ", ").append(name + ' ' + number);
   return ok("libraries", text);
 }
 

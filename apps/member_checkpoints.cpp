@@ -12,9 +12,9 @@ constexpr double interval = 60;  // [s]
 }  // namespace
 
 mpm::Result MemberCheckpoints::run(const mpm::Scene& scene, const mpm::Observer& observer) {
-  const mpm::RunHooks hooks{
-      .observer = observer,
-      .checkpoints = {[this](const mpm::Checkpoint& checkpoint) { keep(checkpoint); }, interval}};
+  mpm::RunHooks hooks;
+  hooks.observer = observer;
+  hooks.checkpoints = {[this](const mpm::Checkpoint& checkpoint) { keep(checkpoint); }, interval};
   const CheckpointFolder::Found found = folder_.last();
   if (found.last && found.last->file.scene_text == scene_text_) try {
       return mpm::resume(scene, found.last->file.checkpoint, hooks);

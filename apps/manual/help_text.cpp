@@ -28,7 +28,7 @@ std::optional<Item> item_in(const std::string& line) {
   if (gap == std::string::npos) return std::nullopt;
   std::string rest = without_blanks(text.substr(gap));
   if (const std::size_t second = rest.find(blanks); second != std::string::npos)
-    rest = rest.substr(0, second) + ": " + without_blanks(rest.substr(second));
+    rest.replace(second, std::string::npos, ": " + without_blanks(rest.substr(second)));
   return Item{text.substr(0, gap), rest};
 }
 

@@ -50,6 +50,12 @@ std::string wrapped(const std::string& formatted) {
   return text + "\n";
 }
 
+std::string heading(const std::string& name, int section, const std::string& about) {
+  const std::string shelf = section == 1 ? "User Commands" : "File Formats";
+  return ".TH " + upper(roff(name)) + " " + std::to_string(section) + " \"\" \"mesopix " + app::version() +
+         "\" \"" + shelf + "\"\n.SH NAME\n" + roff(name) + " \\- " + roff(about) + "\n";
+}
+
 }  // namespace
 
 std::string roff(const std::string& text) {
@@ -62,11 +68,8 @@ std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR";
 
 std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
 
-ManPage::ManPage(const std::string& name, int section, const std::string& about) {
-  const std::string shelf = section == 1 ? "User Commands" : "File Formats";
-  text_ = ".TH " + upper(roff(name)) + " " + std::to_string(section) + " \"\" \"mesopix " + app::version() +
-          "\" \"" + shelf + "\"\n.SH NAME\n" + roff(name) + " \\- " + roff(about) + "\n";
-}
+ManPage::ManPage(const std::string& name, int section, const std::string& about)
+    : text_(heading(name, section, about)) {}
 
 void ManPage::section(const std::string& title) {
   text_ += ".SH " + roff(title) + "\n";
