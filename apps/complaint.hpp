@@ -15,7 +15,7 @@ enum class Exit : int {
   data = 65,         ///< a scene, a picture, a specimen, or physics gone wrong
   internal = 70,     ///< our own bug
   io = 74,           ///< a file could not be read or written
-  interrupted = 75,  ///< ended by the user; what was computed is kept
+  interrupted = 75,  ///< come again: ended by the user, or another program is at it
 };
 
 /// Where in a file; line 0 = in the file as a whole, empty file = on the command line.

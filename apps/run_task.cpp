@@ -10,6 +10,7 @@
 #include "apps/attempts.hpp"
 #include "apps/checkpoint_folder.hpp"
 #include "apps/frame_folder.hpp"
+#include "apps/held_folder.hpp"
 #include "apps/json_text.hpp"
 #include "apps/live/live_view.hpp"
 #include "apps/output/load_words.hpp"
@@ -169,6 +170,7 @@ Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, 
 }  // namespace
 
 Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
+  const HeldFolder held(task.folder);
   Job& job = task.job;
   const std::string hash = specimen::sha256_of_text(task.scene_toml);
   std::optional<LiveView> view;

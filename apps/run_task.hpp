@@ -26,8 +26,8 @@ struct RunTask {
 
 /// Solve, and write what came of it; frames and checkpoints on the way. Checkpoints are removed once the run
 /// has come to its end; one that is interrupted keeps them, and says how to go on.
-/// @throws Rejected (Exit::data) when the physics went wrong, once all is written; mpm::FileError,
-/// specimen::Error.
+/// @throws Rejected (Exit::data) when the physics went wrong, once all is written, (Exit::interrupted) while
+/// another program writes the folder; mpm::FileError, specimen::Error.
 [[nodiscard]] Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console);
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/frame_folder.hpp"
+#include "apps/held_folder.hpp"
 #include "apps/input.hpp"
 #include "apps/output/load_words.hpp"
 #include "apps/python/body.hpp"
@@ -34,8 +35,11 @@ class Task {
     run_->job = app::make_job(broken_.resolved.settings, broken_.cells());
     check(tolerance);
     std::optional<app::FreshFolder> folder;
-    if (!wanted_.output.is_none())
+    std::optional<app::HeldFolder> held;
+    if (!wanted_.output.is_none()) {
       folder.emplace(app::make_run_folder(path_text(wanted_.output), broken_.stem, wanted_.overwrite));
+      held.emplace(folder->path());
+    }
     if (tolerance) meet(*tolerance);
     std::optional<app::FrameFolder> frames;
     if (folder) frames.emplace(folder->path(), run_->job.scene);

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include "apps/held_folder.hpp"
 #include "apps/program.hpp"
 #include "libmpm/result_file.hpp"
 #include "tests/specimen/temporary_folder.hpp"
@@ -180,6 +181,23 @@ TEST_F(Resumption, RefusesARunWithoutACheckpoint) {
   expect_refusal({"--resume", "none"}, Exit::usage, "--resume: none; must be the folder of a run");
   expect_refusal({"--resume", "scene.toml"}, Exit::usage,
                  "--resume: scene.toml; must be the folder of a run");
+}
+
+TEST_F(Resumption, RefusesAFolderThatAnotherProgramWrites) {
+  interrupt({"scene.toml", "-o", "run"});
+  const std::set<std::string> before = files("run");
+  {
+    const app::HeldFolder other("run");
+    const std::string why =
+        "mesopix: run: another program is writing a run there; wait until it has ended, or choose another "
+        "folder\n";
+    EXPECT_EQ(simulate({"--resume", "run"}), Exit::interrupted);
+    EXPECT_THAT(said(), HasSubstr(why));
+    EXPECT_EQ(simulate({"scene.toml", "-o", "run", "--overwrite"}), Exit::interrupted);
+    EXPECT_THAT(said(), HasSubstr(why));
+  }
+  EXPECT_EQ(files("run"), before) << "its checkpoint is as it was";
+  EXPECT_EQ(simulate({"--resume", "run", "--quiet"}), Exit::ok) << said();
 }
 
 TEST_F(Resumption, RefusesAnotherSceneWithWhatDiffers) {

@@ -1,5 +1,5 @@
 """simulate, read_result and Result."""
-import concurrent.futures, json, os, signal, threading, time, unittest
+import concurrent.futures, json, os, shutil, signal, threading, time, unittest
 import numpy as np
 import mesopix, samples
 
@@ -204,13 +204,28 @@ class Watched(unittest.TestCase):
     def test_a_folder_that_cannot_be_written_loses_no_result(self):
         def progress(p):
             if os.path.isdir("run"):
-                os.rmdir("run")
+                shutil.rmtree("run")
                 open("run", "w").close()
 
         with samples.empty_folder():
             with self.assertRaisesRegex(mesopix.FileError, "^run: cannot be created: ") as raised:
                 samples.run(output="run", progress=progress)
             np.testing.assert_array_equal(raised.exception.result.curve.stress, samples.run().curve.stress)
+
+    def test_a_folder_is_written_by_one_run_at_a_time(self):
+        refused = []
+
+        def progress(p):
+            if not refused:
+                with self.assertRaisesRegex(mesopix.Error, "^run: another program is writing a run there; ") as raised:
+                    samples.run(output="run", overwrite=True)
+                refused.append(raised.exception)
+
+        with samples.empty_folder():
+            samples.run(output="run", progress=progress)
+            self.assertTrue(refused)
+            samples.run(output="run", overwrite=True)
+            self.assertFalse(os.path.exists("run/in_progress.lock"))
 
     def test_runs_side_by_side_are_the_same_as_one_by_one(self):
         specimen = samples.specimen()
