@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "apps/ellipse_list.hpp"
-#include "apps/study_file.hpp"
+#include "apps/study_fields.hpp"
 #include "apps/text_file.hpp"
 #include "apps/toml_value.hpp"
 

@@ -38,12 +38,12 @@ mpm::Scene elastic_block() {
 /// Round aggregates with their ITZ in rows, pulled until the stress has passed its peak.
 mpm::Scene cracking_block() {
   constexpr int edge = 160, pitch = 20;
+  constexpr double middle = 0.5 * (pitch - 1);  // [px]
   mpm::Scene scene = block(edge, edge);
   for (int row = 0; row < edge; ++row)
     for (int col = 0; col < edge; ++col) {
       const int shift = row / pitch % 2 * pitch / 2;
-      const double distance =
-          std::hypot(row % pitch - pitch / 2 + 0.5, (col + shift) % pitch - pitch / 2 + 0.5);
+      const double distance = std::hypot(row % pitch - middle, (col + shift) % pitch - middle);
       if (distance < 8.2) scene.labels(row, col) = distance < 7 ? aggregate : itz;
     }
   scene.loading.velocity = 0.2;

@@ -13,6 +13,7 @@
 #include "apps/shell_word.hpp"
 #include "apps/study_closing.hpp"
 #include "apps/study_collect_command.hpp"
+#include "apps/study_fields.hpp"
 #include "apps/study_file.hpp"
 #include "apps/study_line.hpp"
 #include "apps/study_status_command.hpp"

@@ -2,19 +2,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "apps/field.hpp"
 #include "apps/study.hpp"
 
 namespace app {
-
-/// Keys of a study file beside its table [vary].
-[[nodiscard]] const std::vector<FieldOf<StudyPlan>>& study_fields();
-
-/// Whether a key stands in study files, and in no scene.
-[[nodiscard]] bool is_study_key(std::string_view key);
 
 /// Whether a text is a study, right or wrong: it names a scene, or says what varies. Other keys of studies
 /// stand in scenes by mistake.
