@@ -92,7 +92,7 @@ Finding about_disk(const Examination& it) {
 Finding about_libraries(const Examination& it) {
   std::string text;
   for (const auto& [name, number] : it.libraries)
-    text.append(text.empty() ? "" : ", ").append(name + ' ' + number);
+    text.append(text.empty() ? "" : ", ").append(name).append(" ").append(number);
   return ok("libraries", text);
 }
 
