@@ -2,7 +2,7 @@
 """A study of many members on a Slurm of its own, one node of which fails in the middle: nothing is lost, and the table
 has the same bits as that of a run without Slurm.
 
-  cluster_test.py MESOPIX [--members N] [--chunk N]
+  cluster_test.py MESOPIX [--members N] [--chunk N] [--patience SECONDS]
 
 Skipped (exit code 77) where Slurm is not installed.
 """
@@ -38,8 +38,8 @@ def study(folder, name, members, velocity="0.002 m/s"):
 class Studies:
     """The program in one folder, with the environment of a cluster."""
 
-    def __init__(self, mesopix, cluster, folder):
-        self.mesopix, self.cluster, self.folder = mesopix, cluster, folder
+    def __init__(self, mesopix, cluster, folder, patience):
+        self.mesopix, self.cluster, self.folder, self.patience = mesopix, cluster, folder, patience
 
     def run(self, *arguments, codes=(0,)):
         done = self.cluster.run(self.mesopix, "study", *arguments, check=False, cwd=self.folder)
@@ -53,10 +53,10 @@ class Studies:
     def status(self, file):
         return json.loads(self.run("status", file, "--json").stdout)
 
-    def wait(self, file, reached, seconds=240):
-        end = time.monotonic() + seconds
+    def wait(self, file, reached):
+        end = time.monotonic() + self.patience
         while not reached(status := self.status(file)):
-            assert time.monotonic() < end, f"after {seconds} s: {status}\n{self.logs(file)}"
+            assert time.monotonic() < end, f"after {self.patience} s: {status}\n{self.logs(file)}"
             time.sleep(0.2)
         return status
 
@@ -131,6 +131,7 @@ def main():
     parser.add_argument("mesopix", type=lambda path: Path(path).resolve())
     parser.add_argument("--members", type=int, default=100)
     parser.add_argument("--chunk", type=int, default=5)
+    parser.add_argument("--patience", type=float, default=240, help="seconds that a part may take")
     given = parser.parse_args()
     if missing():
         print("skipped: there is no", ", ".join(missing()))
@@ -138,7 +139,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name).resolve()
         with PrivateCluster(folder / "cluster", nodes=2, cpus=1) as cluster:
-            studies = Studies(given.mesopix, cluster, folder)
+            studies = Studies(given.mesopix, cluster, folder, given.patience)
             check_refusals(studies)
             check_commands(studies)
             check_time_that_runs_out(studies, cluster)
