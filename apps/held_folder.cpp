@@ -53,7 +53,8 @@ HeldFolder::HeldFolder(const fs::path& folder)
     : lock_(folder / "in_progress.lock"), descriptor_(hold(lock_)) {}
 
 HeldFolder::~HeldFolder() {
-  ::unlink(lock_.c_str());  // before it is let go: who opens it now makes another
+  if (is_still_there(descriptor_, lock_))  // else the folder was moved, and another may be in its place
+    ::unlink(lock_.c_str());               // before it is let go: who opens it now makes another
   ::close(descriptor_);
 }
 

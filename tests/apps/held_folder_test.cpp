@@ -53,6 +53,17 @@ TEST_F(HeldFolder, AFileThatACrashLeftHoldsNothing) {
   EXPECT_FALSE(fs::exists(lock()));
 }
 
+TEST_F(HeldFolder, LeavesTheLockOfAnotherInItsPlace) {
+  const fs::path place = folder() / "run", elsewhere = folder() / "moved";
+  fs::create_directory(place);
+  std::optional<app::HeldFolder> first(std::in_place, place);
+  fs::rename(place, elsewhere);
+  fs::create_directory(place);
+  const app::HeldFolder second(place);
+  first.reset();
+  EXPECT_TRUE(fs::exists(place / "in_progress.lock"));
+}
+
 TEST_F(HeldFolder, AFolderThatIsNotThereIsAMatterOfTheDisk) {
   EXPECT_THROW(app::HeldFolder(folder() / "missing"), mpm::FileError);
 }
