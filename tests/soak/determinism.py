@@ -26,18 +26,20 @@ def run(mesopix, scene, options, instructions, threads, folder):
     return folder
 
 
-def instruction_sets(mesopix, folder):
+def instruction_sets(mesopix):
     """The program names them when it is asked for one that the processor has not; the fastest comes first."""
     small = "width = '20 mm'\nheight = '20 mm'\npixel_size = '1 mm'\nfraction = 0.2\nd_min = '4 mm'\nd_max = '6 mm'\n"
-    (folder / "small.toml").write_text("[generate]\n" + small)
     every = ["avx512", "avx2", "baseline"]
-    for name in every:
-        process = simulate(mesopix, folder / "small.toml", "--instruction-set", name, "-o", folder / name)
-        said = process.communicate()[1]
-        if process.returncode == 0:
-            continue
-        assert process.returncode == 65 and "this processor runs" in said, said
-        return re.findall(r"\w+", said.split("this processor runs")[1].split("\n")[0])
+    with tempfile.TemporaryDirectory() as made:
+        scene = Path(made, "small.toml")
+        scene.write_text("[generate]\n" + small)
+        for name in every:
+            process = simulate(mesopix, scene, "--instruction-set", name, "-o", Path(made, name))
+            said = process.communicate()[1]
+            if process.returncode == 0:
+                continue
+            assert process.returncode == 65 and "this processor runs" in said, said
+            return re.findall(r"\w+", said.split("this processor runs")[1].split("\n")[0])
     return every
 
 
@@ -72,8 +74,7 @@ def main():
     parser.add_argument("--other", action="append", default=[], type=lambda path: Path(path).resolve())
     given = parser.parse_args()
     far, count = [], 0
-    with tempfile.TemporaryDirectory() as made:
-        builds = {mesopix: instruction_sets(mesopix, Path(made)) for mesopix in [given.mesopix, *given.other]}
+    builds = {mesopix: instruction_sets(mesopix) for mesopix in [given.mesopix, *given.other]}
     print("this processor runs", ", ".join(builds[given.mesopix]), flush=True)
     for name, (scene, options) in scenes_of(given.data, given.full).items():
         if given.only and name not in given.only:
