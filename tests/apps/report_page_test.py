@@ -75,6 +75,7 @@ class Browser:
 
     def saved(self, name, act):
         path = self.downloads / name
+        path.unlink(missing_ok=True)  # or the second of a name would come as another
         act()
         until = time.monotonic() + 60
         while not path.exists():

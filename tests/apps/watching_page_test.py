@@ -20,13 +20,14 @@ TITLE = "</script><script>alert(1)</script>"
 
 
 class Run:
-    """A tension test that would take a minute, and the address at which it can be watched."""
+    """A tension test that would take a minute, or the rest of one, and the address at which it can be watched."""
 
     def __init__(self, mesopix, folder):
         self.folder = folder
-        self.process = subprocess.Popen(
-            [mesopix, "simulate", folder.parent / "specimen.h5", "--serve", "-o", folder, "--title", TITLE, "--velocity",
-             "0.0002 m/s", "--stop-strain", "4e-4", "--threads", "1", "-q"], stderr=subprocess.PIPE, text=True)
+        rest = ["--resume", folder] if folder.exists() else [
+            folder.parent / "specimen.h5", "-o", folder, "--title", TITLE, "--velocity", "0.0002 m/s", "--stop-strain", "4e-4"]
+        self.process = subprocess.Popen([mesopix, "simulate", *rest, "--serve", "--threads", "1", "-q"],
+                                        stderr=subprocess.PIPE, text=True)
         line = self.process.stderr.readline()
         self.address = re.fullmatch(r"watch the run at (http://127\.0\.0\.1:\d+/[0-9a-f]{32}/)\n", line).group(1)
 
@@ -38,6 +39,10 @@ def share(browser):
 def rows_of_curve(browser):
     """Rows that the stress chart shows; its legend is of no use for that, its data are."""
     return browser.run("living.then((page) => page.charts.find((one) => one.id === 'stress').plot.data[0].length)")
+
+
+def rows_of_file(run):
+    return len((run.folder / "curve.csv").read_text(encoding="utf-8").splitlines()) - 1
 
 
 def check_growth(browser):
@@ -83,6 +88,23 @@ def check_film_of_end(browser, run):
     assert ((seen == cracked).all(axis=2) == (failed == 1)[:len(seen)]).all(), "the cracks are drawn elsewhere"
 
 
+def check_resumption(browser, mesopix, stopped, done):
+    """A run that goes on is shown from its beginning; its bar is not before where it was."""
+    shown, rows = rows_of_curve(browser), rows_of_file(stopped)
+    run = Run(mesopix, stopped.folder)
+    try:
+        browser.driver.get(run.address)
+        browser.wait("document.documentElement.dataset.alive === 'yes'")
+        assert done <= share(browser) < 1, (done, share(browser))
+        assert rows_of_curve(browser) >= shown, "the rows before the stop are missing"
+        browser.wait("!document.getElementById('film-counts').textContent.startsWith('0 pixels')")
+        check_end(browser, run)
+        check_film_of_end(browser, run)
+        assert rows_of_file(run) > rows
+    finally:
+        run.process.kill()
+
+
 def main():
     mesopix = sys.argv[1]
     with tempfile.TemporaryDirectory() as scratch:
@@ -96,8 +118,10 @@ def main():
             assert browser.run("document.scripts.length") == 2
             browser.wait("!document.getElementById('film-counts').textContent.startsWith('0 pixels')")
             check_growth(browser)
+            done = share(browser)
             check_end(browser, run)
             check_film_of_end(browser, run)
+            check_resumption(browser, mesopix, run, done)
             said = browser.driver.get_log("browser")
             assert not said, f"the console says: {said}"
             killed = Run(mesopix, scratch / "killed")
