@@ -56,7 +56,8 @@ void require_known_filters(hid_t settings, const std::string& words) {
     const H5Z_filter_t filter =
         H5Pget_filter2(settings, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, nullptr);
     require(filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32,
-            words + " is packed by filter " + std::to_string(filter) + ", which is none of HDF5's own");
+            words + " is packed by filter " + std::to_string(filter) +
+                ", which is none of gzip, shuffle and fletcher32");
     require(met.insert(filter).second, words + " is packed twice by filter " + std::to_string(filter));
   }
 }

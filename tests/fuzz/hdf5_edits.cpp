@@ -87,16 +87,26 @@ hid_t make_storage(Input& input, hid_t space, const std::vector<hsize_t>& extent
   return storage;
 }
 
-bool is_in_the_file(hid_t dataset) {
+/// Whether a filter stands among those of a dataset.
+bool is_packed_by(hid_t storage, H5Z_filter_t filter) {
+  unsigned flags = 0;
+  std::size_t values = 0;
+  return H5Pget_filter_by_id2(storage, filter, &flags, &values, nullptr, 0, nullptr, nullptr) >= 0;
+}
+
+/// Whether HDF5 can write values into the file: not into another one, and not by szip, which divides by zero
+/// where it was given no parameters.
+bool is_writable(hid_t dataset) {
   const hid_t storage = H5Dget_create_plist(dataset);
   const bool inside = H5Pget_layout(storage) != H5D_VIRTUAL && H5Pget_external_count(storage) == 0;
+  const bool writable = inside && !is_packed_by(storage, H5Z_FILTER_SZIP);
   H5Pclose(storage);
-  return inside;
+  return writable;
 }
 
 /// Bytes for all values of a dataset, where these are few.
 void fill(Input& input, hid_t dataset) {
-  if (!is_in_the_file(dataset)) return;
+  if (!is_writable(dataset)) return;
   const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   const std::size_t value_size = H5Tget_size(type);
