@@ -78,7 +78,7 @@ class Browser:
         path.unlink(missing_ok=True)  # or the second of a name would come as another
         act()
         until = time.monotonic() + 60
-        while not path.exists():
+        while not path.exists() or path.stat().st_size == 0:  # the browser reserves the name, and puts the file there later
             assert time.monotonic() < until, f"{name} never came"
             time.sleep(0.05)
         return path.read_bytes()
