@@ -1,7 +1,7 @@
 /// The commands that show what the program is worth: reproduce and bench. A build may go without them.
 #pragma once
 
-#include "apps/program.hpp"
+#include "apps/command/program.hpp"
 
 namespace app {
 

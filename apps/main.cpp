@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/console.hpp"
-#include "apps/memory_limit.hpp"
-#include "apps/program.hpp"
-#include "apps/terminal.hpp"
+#include "apps/system/console.hpp"
+#include "apps/system/memory_limit.hpp"
+#include "apps/command/program.hpp"
+#include "apps/system/terminal.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
 #endif

@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "apps/output/chart_layout.hpp"
-#include "apps/output/html.hpp"
-#include "apps/output/key_figures.hpp"
-#include "apps/output/png.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/run_words.hpp"
-#include "apps/output/text.hpp"
+#include "apps/drawing/chart_layout.hpp"
+#include "apps/text/html.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/drawing/png.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/text/text.hpp"
 
 namespace app::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/statistics.hpp"
+#include "apps/statistics/statistics.hpp"
 
 namespace app::bench {
 namespace {

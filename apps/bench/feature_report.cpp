@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "apps/bench/feature_study.hpp"
-#include "apps/output/html.hpp"
-#include "apps/output/key_figures.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/text.hpp"
+#include "apps/text/html.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/text/text.hpp"
 
 namespace app::bench {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "apps/reproduce/trial.hpp"
-#include "apps/scene_builder.hpp"
-#include "apps/specimen_source.hpp"
-#include "libmpm/simulate.hpp"
+#include "apps/job/scene_builder.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "libmpm/run/simulate.hpp"
 
 namespace app::bench {
 namespace {

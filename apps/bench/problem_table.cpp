@@ -4,8 +4,8 @@
 
 #include "apps/bench/concrete_problems.hpp"
 #include "apps/bench/known_problems.hpp"
-#include "apps/complaint.hpp"
-#include "apps/suggestion.hpp"
+#include "apps/text/complaint.hpp"
+#include "apps/text/suggestion.hpp"
 
 namespace app::bench {
 

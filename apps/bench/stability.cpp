@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "apps/bench/stability_table.hpp"
-#include "apps/job_pool.hpp"
+#include "apps/system/job_pool.hpp"
 
 namespace app::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "libmpm/extra_points.hpp"
-#include "libmpm/grid.hpp"
+#include "libmpm/solver/lattice/extra_points.hpp"
+#include "libmpm/solver/grid.hpp"
 
 namespace app::bench {
 namespace {

@@ -1,8 +1,8 @@
 /// The true critical time step of a lattice.
 #pragma once
 
-#include "libmpm/plan.hpp"
-#include "libmpm/scene.hpp"
+#include "libmpm/solver/plan.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace app::bench {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "libmpm/moving_solver.hpp"
-#include "libmpm/plan.hpp"
-#include "libmpm/scene.hpp"
+#include "libmpm/solver/moving/moving_solver.hpp"
+#include "libmpm/solver/plan.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace app::bench {
 

@@ -7,7 +7,7 @@
 #include "apps/bench/stability_groups.hpp"
 #include "apps/bench/stability_judge.hpp"
 #include "apps/bench/stability_scenes.hpp"
-#include "libmpm/error.hpp"
+#include "libmpm/scene/error.hpp"
 
 namespace app::bench {
 namespace {

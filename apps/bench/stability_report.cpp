@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "apps/bench/stability.hpp"
-#include "apps/output/html.hpp"
-#include "apps/output/key_figures.hpp"
-#include "apps/output/report_parts.hpp"
+#include "apps/text/html.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/report/report_parts.hpp"
 
 namespace app::bench {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "libmpm/plan.hpp"
-#include "libmpm/scene.hpp"
-#include "libmpm/simulate.hpp"
+#include "libmpm/solver/plan.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "libmpm/run/simulate.hpp"
 
 namespace app::bench {
 

@@ -7,10 +7,10 @@
 #include "apps/bench/stability_groups.hpp"
 #include "apps/bench/stability_judge.hpp"
 #include "apps/bench/stability_scenes.hpp"
-#include "libmpm/failure.hpp"
-#include "libmpm/kernels.hpp"
-#include "libmpm/lattice_points.hpp"
-#include "libmpm/strength.hpp"
+#include "libmpm/material/failure.hpp"
+#include "libmpm/kernels/kernels.hpp"
+#include "libmpm/solver/lattice/lattice_points.hpp"
+#include "libmpm/material/strength.hpp"
 
 namespace app::bench {
 namespace {

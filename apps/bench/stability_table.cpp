@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "apps/bench/stability_groups.hpp"
-#include "apps/complaint.hpp"
-#include "apps/suggestion.hpp"
+#include "apps/text/complaint.hpp"
+#include "apps/text/suggestion.hpp"
 
 namespace app::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include "apps/bench/stability_groups.hpp"
 #include "apps/bench/stability_judge.hpp"
 #include "apps/bench/stability_scenes.hpp"
-#include "libmpm/cell_limit.hpp"
+#include "libmpm/solver/lattice/cell_limit.hpp"
 
 namespace app::bench {
 namespace {

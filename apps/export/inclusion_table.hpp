@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "specimen/inclusion.hpp"
+#include "specimen/body/inclusion.hpp"
 
 namespace exchange {
 

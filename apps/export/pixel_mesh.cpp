@@ -1,7 +1,7 @@
 #include "apps/export/pixel_mesh.hpp"
 
 #include "apps/export/text_stream.hpp"
-#include "specimen/error.hpp"
+#include "specimen/body/error.hpp"
 
 namespace exchange {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "specimen/mask.hpp"
+#include "specimen/body/mask.hpp"
 
 namespace exchange {
 

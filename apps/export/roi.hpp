@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "specimen/inclusion.hpp"
-#include "specimen/mask.hpp"
+#include "specimen/body/inclusion.hpp"
+#include "specimen/body/mask.hpp"
 
 namespace exchange {
 

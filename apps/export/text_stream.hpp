@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "specimen/replace_file.hpp"
+#include "specimen/body/replace_file.hpp"
 
 namespace exchange {
 

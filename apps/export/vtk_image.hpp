@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "specimen/mask.hpp"
+#include "specimen/body/mask.hpp"
 
 namespace exchange {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "specimen/error.hpp"
+#include "specimen/body/error.hpp"
 
 namespace exchange {
 namespace {

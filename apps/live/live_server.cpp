@@ -6,7 +6,7 @@
 #include <charconv>
 #include <thread>
 
-#include "apps/complaint.hpp"
+#include "apps/text/complaint.hpp"
 #include "apps/live/token.hpp"
 
 namespace app {

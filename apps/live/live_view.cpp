@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "apps/output/watching.hpp"
-#include "apps/progress_line.hpp"
+#include "apps/live/watching.hpp"
+#include "apps/live/progress_line.hpp"
 
 namespace app {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "apps/live/live_server.hpp"
-#include "apps/run_folder.hpp"
-#include "libmpm/simulate.hpp"
+#include "apps/run/run_folder.hpp"
+#include "libmpm/run/simulate.hpp"
 
 namespace app {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <regex>
 
-#include "apps/offer.hpp"
-#include "apps/schema.hpp"
+#include "apps/settings/offer.hpp"
+#include "apps/settings/schema.hpp"
 
 namespace manual {
 namespace {

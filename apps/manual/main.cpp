@@ -6,9 +6,9 @@
 #include "apps/manual/completions.hpp"
 #include "apps/manual/man_pages.hpp"
 #include "apps/manual/reference.hpp"
-#include "apps/program.hpp"
-#include "apps/text_file.hpp"
-#include "libmpm/replace_file.hpp"
+#include "apps/command/program.hpp"
+#include "apps/system/text_file.hpp"
+#include "libmpm/files/replace_file.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
 #endif

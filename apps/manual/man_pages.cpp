@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "apps/exit_codes.hpp"
+#include "apps/command/exit_codes.hpp"
 #include "apps/manual/expected_value.hpp"
 #include "apps/manual/help_text.hpp"
 #include "apps/manual/roff.hpp"

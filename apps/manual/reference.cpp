@@ -1,6 +1,6 @@
 #include "apps/manual/reference.hpp"
 
-#include "apps/exit_codes.hpp"
+#include "apps/command/exit_codes.hpp"
 #include "apps/manual/expected_value.hpp"
 #include "apps/manual/help_text.hpp"
 #include "apps/manual/setting_words.hpp"

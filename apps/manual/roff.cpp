@@ -4,7 +4,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "apps/version.hpp"
+#include "apps/text/version.hpp"
 
 namespace manual {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "apps/ellipse_list.hpp"
-#include "apps/suggestion.hpp"
+#include "apps/scene/ellipse_list.hpp"
+#include "apps/text/suggestion.hpp"
 
 namespace manual {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/schema.hpp"
+#include "apps/settings/schema.hpp"
 
 namespace manual {
 

@@ -5,20 +5,20 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/hdf5_files.hpp"
-#include "apps/input.hpp"
-#include "apps/job.hpp"
+#include "apps/system/hdf5_files.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/job/job.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/image.hpp"
 #include "apps/python/json.hpp"
 #include "apps/python/options.hpp"
 #include "apps/python/views.hpp"
-#include "apps/specimen_output.hpp"
-#include "apps/specimen_report.hpp"
-#include "specimen/picture_codecs.hpp"
-#include "specimen/preview.hpp"
-#include "specimen/specimen_file.hpp"
-#include "specimen/statistics.hpp"
+#include "apps/job/specimen_output.hpp"
+#include "apps/job/specimen_report.hpp"
+#include "specimen/picture/picture_codecs.hpp"
+#include "specimen/picture/preview.hpp"
+#include "specimen/file/specimen_file.hpp"
+#include "specimen/describe/statistics.hpp"
 
 namespace binding {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene_file.hpp"
-#include "apps/specimen_source.hpp"
-#include "specimen/specimen.hpp"
+#include "apps/scene/scene_file.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "specimen/body/specimen.hpp"
 
 namespace binding {
 

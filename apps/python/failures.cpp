@@ -2,7 +2,7 @@
 
 #include <regex>
 
-#include "apps/offer.hpp"
+#include "apps/settings/offer.hpp"
 
 namespace binding {
 namespace {

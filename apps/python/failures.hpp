@@ -7,8 +7,8 @@
 #include <new>
 #include <string>
 
-#include "apps/assignment.hpp"
-#include "apps/refusal.hpp"
+#include "apps/settings/assignment.hpp"
+#include "apps/settings/refusal.hpp"
 
 namespace binding {
 

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "apps/calibration_folder.hpp"
-#include "apps/calibration_json.hpp"
-#include "apps/calibration_wish.hpp"
-#include "apps/calibration_words.hpp"
-#include "apps/input.hpp"
-#include "apps/output/text.hpp"
+#include "apps/calibrate/calibration_folder.hpp"
+#include "apps/calibrate/calibration_json.hpp"
+#include "apps/calibrate/calibration_wish.hpp"
+#include "apps/calibrate/calibration_words.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/text/text.hpp"
 #include "apps/python/body.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/json.hpp"
@@ -20,9 +20,9 @@
 #include "apps/python/progress.hpp"
 #include "apps/python/spectator.hpp"
 #include "apps/python/views.hpp"
-#include "apps/run_location.hpp"
-#include "apps/scene_text.hpp"
-#include "specimen/specimen_file.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "specimen/file/specimen_file.hpp"
 
 namespace binding {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "apps/complaint.hpp"
-#include "specimen/digest.hpp"
+#include "apps/text/complaint.hpp"
+#include "specimen/body/digest.hpp"
 
 namespace binding {
 namespace {

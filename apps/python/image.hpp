@@ -3,7 +3,7 @@
 
 #include <pybind11/numpy.h>
 
-#include "specimen/picture.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace binding {
 

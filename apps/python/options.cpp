@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "apps/quantity.hpp"
+#include "apps/text/quantity.hpp"
 
 namespace binding {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/assignment.hpp"
-#include "apps/offer.hpp"
+#include "apps/settings/assignment.hpp"
+#include "apps/settings/offer.hpp"
 
 namespace binding {
 

@@ -3,9 +3,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include "apps/calibration.hpp"
-#include "apps/study_run.hpp"
-#include "libmpm/simulate.hpp"
+#include "apps/calibrate/calibration.hpp"
+#include "apps/study/study_run.hpp"
+#include "libmpm/run/simulate.hpp"
 
 namespace binding {
 

@@ -2,20 +2,20 @@
 
 #include <pybind11/stl.h>
 
-#include "apps/output/run_words.hpp"
-#include "apps/output/text.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/text/text.hpp"
 #include "apps/python/body.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/json.hpp"
 #include "apps/python/options.hpp"
 #include "apps/python/run_task.hpp"
 #include "apps/python/views.hpp"
-#include "apps/run_folder.hpp"
-#include "apps/run_location.hpp"
-#include "apps/run_reader.hpp"
-#include "apps/scene_text.hpp"
-#include "apps/strain_text.hpp"
-#include "specimen/digest.hpp"
+#include "apps/run/run_folder.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/run/run_reader.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/text/strain_text.hpp"
+#include "specimen/body/digest.hpp"
 
 namespace binding {
 namespace {

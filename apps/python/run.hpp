@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "apps/job.hpp"
-#include "apps/output/error_estimate.hpp"
-#include "libmpm/result.hpp"
+#include "apps/job/job.hpp"
+#include "apps/report/error_estimate.hpp"
+#include "libmpm/scene/result.hpp"
 
 namespace binding {
 

@@ -3,20 +3,20 @@
 #include <optional>
 #include <utility>
 
-#include "apps/frame_folder.hpp"
-#include "apps/held_folder.hpp"
-#include "apps/input.hpp"
-#include "apps/output/load_words.hpp"
+#include "apps/run/frame_folder.hpp"
+#include "apps/system/held_folder.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/report/load_words.hpp"
 #include "apps/python/body.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/options.hpp"
 #include "apps/python/progress.hpp"
 #include "apps/python/spectator.hpp"
-#include "apps/read_option.hpp"
-#include "apps/run_folder.hpp"
-#include "apps/run_location.hpp"
-#include "apps/solving.hpp"
-#include "specimen/digest.hpp"
+#include "apps/settings/read_option.hpp"
+#include "apps/run/run_folder.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/run/solving.hpp"
+#include "specimen/body/digest.hpp"
 
 namespace binding {
 namespace {

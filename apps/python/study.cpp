@@ -7,17 +7,17 @@
 #include <optional>
 #include <sstream>
 
-#include "apps/job_pool.hpp"
+#include "apps/system/job_pool.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/options.hpp"
 #include "apps/python/progress.hpp"
 #include "apps/python/spectator.hpp"
 #include "apps/python/study_wish.hpp"
 #include "apps/python/views.hpp"
-#include "apps/read_option.hpp"
-#include "apps/study_closing.hpp"
-#include "apps/study_table.hpp"
-#include "apps/study_whole.hpp"
+#include "apps/settings/read_option.hpp"
+#include "apps/study/study_closing.hpp"
+#include "apps/study/study_table.hpp"
+#include "apps/study/study_whole.hpp"
 
 namespace binding {
 namespace {

@@ -4,18 +4,18 @@
 
 #include <utility>
 
-#include "apps/command.hpp"
-#include "apps/input.hpp"
+#include "apps/command/command.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/python/body.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/options.hpp"
-#include "apps/run_location.hpp"
-#include "apps/scene_text.hpp"
-#include "apps/study_file.hpp"
-#include "apps/study_values.hpp"
-#include "apps/text_file.hpp"
-#include "specimen/digest.hpp"
-#include "specimen/specimen_file.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/study/study_file.hpp"
+#include "apps/study/study_values.hpp"
+#include "apps/system/text_file.hpp"
+#include "specimen/body/digest.hpp"
+#include "specimen/file/specimen_file.hpp"
 
 namespace binding {
 namespace {

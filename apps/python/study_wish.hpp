@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "apps/study.hpp"
+#include "apps/study/study.hpp"
 
 namespace binding {
 

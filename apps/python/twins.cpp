@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "apps/input.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/python/body.hpp"
 #include "apps/python/failures.hpp"
 #include "apps/python/json.hpp"
@@ -12,11 +12,11 @@
 #include "apps/python/progress.hpp"
 #include "apps/python/spectator.hpp"
 #include "apps/python/study.hpp"
-#include "apps/run_location.hpp"
-#include "apps/twin_folder.hpp"
-#include "apps/twin_wish.hpp"
-#include "apps/twin_words.hpp"
-#include "specimen/specimen_file.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/twin/twin_folder.hpp"
+#include "apps/twin/twin_wish.hpp"
+#include "apps/twin/twin_words.hpp"
+#include "specimen/file/specimen_file.hpp"
 
 namespace binding {
 namespace {

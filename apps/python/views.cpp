@@ -3,7 +3,7 @@
 #include <string>
 #include <variant>
 
-#include "libmpm/history_columns.hpp"
+#include "libmpm/scene/history_columns.hpp"
 
 namespace binding {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "libmpm/lattice.hpp"
-#include "libmpm/result.hpp"
-#include "specimen/raster.hpp"
+#include "libmpm/scene/lattice.hpp"
+#include "libmpm/scene/result.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace binding {
 

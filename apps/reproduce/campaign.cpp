@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "apps/job_pool.hpp"
+#include "apps/system/job_pool.hpp"
 
 namespace app::reproduce {
 namespace {

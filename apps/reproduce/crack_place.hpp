@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "libmpm/result.hpp"
-#include "specimen/specimen.hpp"
+#include "libmpm/scene/result.hpp"
+#include "specimen/body/specimen.hpp"
 
 namespace app::reproduce {
 

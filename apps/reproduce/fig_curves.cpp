@@ -1,11 +1,11 @@
 // Figure 5: normalised stress-strain curves of random specimens, beside those of the design codes.
 #include <cmath>
 
-#include "apps/curve.hpp"
-#include "apps/output/key_figures.hpp"
-#include "apps/output/reference_curves.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/text.hpp"
+#include "apps/statistics/curve.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/report/reference_curves.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/words.hpp"
 

@@ -1,7 +1,7 @@
 // Figures 6 and 7: how the damage grows in tension and in compression.
-#include "apps/output/damage_stages.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/text.hpp"
+#include "apps/drawing/damage_stages.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/gallery.hpp"
 

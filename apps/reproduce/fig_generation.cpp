@@ -2,14 +2,14 @@
 #include <chrono>
 #include <cmath>
 
-#include "apps/output/picture_scale.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/text.hpp"
+#include "apps/drawing/picture_scale.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/words.hpp"
-#include "apps/scene_builder.hpp"
-#include "apps/specimen_source.hpp"
-#include "specimen/preview.hpp"
+#include "apps/job/scene_builder.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "specimen/picture/preview.hpp"
 
 namespace app::reproduce {
 namespace {

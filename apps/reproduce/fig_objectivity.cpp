@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "apps/curve.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/text.hpp"
+#include "apps/statistics/curve.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/words.hpp"
-#include "apps/statistics.hpp"
+#include "apps/statistics/statistics.hpp"
 
 namespace app::reproduce {
 namespace {

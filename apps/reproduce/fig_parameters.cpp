@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/output/report_parts.hpp"
-#include "apps/output/text.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/sweep.hpp"
 

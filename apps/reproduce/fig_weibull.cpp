@@ -1,17 +1,17 @@
 // Figure 3: density and distribution of the strengths, measured on the points of a specimen.
 #include <cmath>
 
-#include "apps/curve.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/run_words.hpp"
-#include "apps/output/text.hpp"
+#include "apps/statistics/curve.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/words.hpp"
-#include "apps/scene_builder.hpp"
-#include "apps/specimen_source.hpp"
-#include "apps/statistics.hpp"
-#include "apps/weibull_fit.hpp"
-#include "libmpm/strength.hpp"
+#include "apps/job/scene_builder.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "apps/statistics/statistics.hpp"
+#include "apps/statistics/weibull_fit.hpp"
+#include "libmpm/material/strength.hpp"
 
 namespace app::reproduce {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "apps/complaint.hpp"
-#include "apps/suggestion.hpp"
+#include "apps/text/complaint.hpp"
+#include "apps/text/suggestion.hpp"
 
 namespace app::reproduce {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "apps/output/damage_picture.hpp"
-#include "apps/output/damage_stages.hpp"
-#include "apps/output/html.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/run_words.hpp"
-#include "apps/output/text.hpp"
+#include "apps/drawing/damage_picture.hpp"
+#include "apps/drawing/damage_stages.hpp"
+#include "apps/text/html.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/words.hpp"
 
 namespace app::reproduce {

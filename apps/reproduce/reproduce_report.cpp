@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "apps/output/html.hpp"
-#include "apps/output/key_figures.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/text.hpp"
+#include "apps/text/html.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/figure_table.hpp"
 #include "apps/reproduce/words.hpp"
 

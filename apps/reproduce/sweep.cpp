@@ -4,10 +4,10 @@
 
 #include <array>
 
-#include "apps/curve.hpp"
-#include "apps/output/report_parts.hpp"
-#include "apps/output/run_words.hpp"
-#include "apps/output/text.hpp"
+#include "apps/statistics/curve.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/text/text.hpp"
 #include "apps/reproduce/words.hpp"
 
 namespace app::reproduce {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/reproduce/figure.hpp"
-#include "apps/statistics.hpp"
+#include "apps/statistics/statistics.hpp"
 
 namespace app::reproduce {
 

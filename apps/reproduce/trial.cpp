@@ -1,11 +1,11 @@
 #include "apps/reproduce/trial.hpp"
 
-#include "apps/complaint.hpp"
+#include "apps/text/complaint.hpp"
 #include "apps/reproduce/paper_scene.hpp"
-#include "apps/scene_builder.hpp"
-#include "apps/scene_file.hpp"
-#include "apps/specimen_source.hpp"
-#include "libmpm/simulate.hpp"
+#include "apps/job/scene_builder.hpp"
+#include "apps/scene/scene_file.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "libmpm/run/simulate.hpp"
 
 namespace app::reproduce {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "apps/settings.hpp"
-#include "libmpm/result.hpp"
-#include "specimen/specimen.hpp"
+#include "apps/settings/settings.hpp"
+#include "libmpm/scene/result.hpp"
+#include "specimen/body/specimen.hpp"
 
 namespace app::reproduce {
 

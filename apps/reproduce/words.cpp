@@ -1,6 +1,6 @@
 #include "apps/reproduce/words.hpp"
 
-#include "apps/output/text.hpp"
+#include "apps/text/text.hpp"
 
 namespace app::reproduce {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/reproduce/figure.hpp"
-#include "apps/statistics.hpp"
+#include "apps/statistics/statistics.hpp"
 
 namespace app::reproduce {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/ledger.hpp"
-#include "libmpm/scene.hpp"
+#include "libmpm/solver/ledger.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace mpm::problems {
 

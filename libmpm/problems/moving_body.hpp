@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/moving_solver.hpp"
-#include "libmpm/plan.hpp"
+#include "libmpm/solver/moving/moving_solver.hpp"
+#include "libmpm/solver/plan.hpp"
 #include "libmpm/problems/method.hpp"
-#include "libmpm/scene.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace mpm::problems {
 

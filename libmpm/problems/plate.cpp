@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "libmpm/lattice_solver.hpp"
-#include "libmpm/moving_solver.hpp"
+#include "libmpm/solver/lattice/lattice_solver.hpp"
+#include "libmpm/solver/moving/moving_solver.hpp"
 #include "libmpm/problems/moving_body.hpp"
 
 namespace mpm::problems {

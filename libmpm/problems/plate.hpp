@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "libmpm/problems/method.hpp"
-#include "libmpm/scene.hpp"
-#include "libmpm/stress.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "libmpm/material/stress.hpp"
 
 namespace mpm::problems {
 

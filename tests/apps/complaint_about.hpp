@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "apps/complaint.hpp"
-#include "apps/value.hpp"
+#include "apps/text/complaint.hpp"
+#include "apps/text/value.hpp"
 
 namespace app {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "apps/program.hpp"
+#include "apps/command/program.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace test {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "apps/complaint.hpp"
+#include "apps/text/complaint.hpp"
 
 namespace test {
 

@@ -1,8 +1,8 @@
 /// A specimen that is broken in no time.
 #pragma once
 
-#include "apps/settings.hpp"
-#include "specimen/specimen.hpp"
+#include "apps/settings/settings.hpp"
+#include "specimen/body/specimen.hpp"
 
 namespace test {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "apps/study_file.hpp"
+#include "apps/study/study_file.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace test {

@@ -1,8 +1,8 @@
 /// Two twins that are made in no time.
 #pragma once
 
-#include "apps/twinning.hpp"
-#include "specimen/packing.hpp"
+#include "apps/twin/twinning.hpp"
+#include "specimen/pack/packing.hpp"
 
 namespace test {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "libmpm/result.hpp"
+#include "libmpm/scene/result.hpp"
 
 namespace test {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/bench/feature_study.hpp"
-#include "libmpm/simulate.hpp"
+#include "libmpm/run/simulate.hpp"
 
 int main(int argc, char** argv) {
   const auto cases = app::bench::all_features(60);

@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "apps/machine_peak.hpp"
-#include "libmpm/simulate.hpp"
+#include "apps/system/machine_peak.hpp"
+#include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {

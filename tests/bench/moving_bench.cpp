@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "apps/machine_peak.hpp"
-#include "libmpm/simulate.hpp"
+#include "apps/system/machine_peak.hpp"
+#include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace {

@@ -1,9 +1,9 @@
 // Any file as a checkpoint, its digest put right: the run goes on from it, or it is refused. The first byte
 // tells which scene it is said to be of.
 
-#include "libmpm/checkpoint_file.hpp"
-#include "libmpm/error.hpp"
-#include "libmpm/sha256.hpp"
+#include "libmpm/files/checkpoint_file.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/solver/sha256.hpp"
 #include "tests/fuzz/checkpoint_samples.hpp"
 #include "tests/fuzz/input_file.hpp"
 

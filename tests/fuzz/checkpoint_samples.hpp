@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "libmpm/simulate.hpp"
+#include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/kinds_of_runs.hpp"
 
 namespace fuzz {

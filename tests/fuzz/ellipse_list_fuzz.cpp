@@ -1,7 +1,7 @@
 // Any text as a list of ellipses: it is refused with complaints, or a specimen can be drawn or refused.
-#include "apps/ellipse_list.hpp"
-#include "specimen/error.hpp"
-#include "specimen/specimen.hpp"
+#include "apps/scene/ellipse_list.hpp"
+#include "specimen/body/error.hpp"
+#include "specimen/body/specimen.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

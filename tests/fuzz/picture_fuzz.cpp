@@ -1,8 +1,8 @@
 // Any bytes as a picture: there is a picture of the size that was allowed, or an Error.
 #include <cstdlib>
 
-#include "specimen/error.hpp"
-#include "specimen/picture.hpp"
+#include "specimen/body/error.hpp"
+#include "specimen/picture/picture.hpp"
 #include "tests/fuzz/input_file.hpp"
 #include "tests/fuzz/png_checksums.hpp"
 

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <iterator>
 
-#include "libmpm/checkpoint_file.hpp"
-#include "specimen/picture.hpp"
+#include "libmpm/files/checkpoint_file.hpp"
+#include "specimen/picture/picture.hpp"
 #include "tests/fuzz/checkpoint_samples.hpp"
 #include "tests/specimen/jpeg_recipe.hpp"
 #include "tests/specimen/png_recipe.hpp"

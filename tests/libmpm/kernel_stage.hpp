@@ -5,9 +5,9 @@
 #include <random>
 #include <string>
 
-#include "libmpm/instruction_set.hpp"
-#include "libmpm/moving_grid.hpp"
-#include "libmpm/moving_points.hpp"
+#include "libmpm/kernels/instruction_set.hpp"
+#include "libmpm/solver/moving/moving_grid.hpp"
+#include "libmpm/solver/moving/moving_points.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
 namespace samples {

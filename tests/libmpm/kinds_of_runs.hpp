@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/result.hpp"
+#include "libmpm/scene/result.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 

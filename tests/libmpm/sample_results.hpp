@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/error.hpp"
-#include "libmpm/result_file.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/files/result_file.hpp"
 
 namespace samples {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "libmpm/scene.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace samples {
 

@@ -23,8 +23,8 @@ may_include = [
 ]
 never_in_libraries = re.compile(r"\b(std::c(out|err|log)|f?printf|puts|perror|(std::)?_?exit|abort|terminate)\s*(\(|<<)")
 may_read_environment = {
-    "apps/other_program.cpp",  # hands it on to the programs that it runs
-    "apps/terminal.cpp",       # TERM and NO_COLOR: what a terminal can show, and who sits before it wants to see
+    "apps/system/other_program.cpp",  # hands it on to the programs that it runs
+    "apps/system/terminal.cpp",       # TERM and NO_COLOR: what a terminal can show, and who sits before it wants to see
 }
 reads_environment = re.compile(r"\b(?:secure_)?getenv\b|\benviron\b")
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "specimen/error.hpp"
-#include "specimen/specimen_file.hpp"
+#include "specimen/body/error.hpp"
+#include "specimen/file/specimen_file.hpp"
 #include "tests/specimen/sample_specimen.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 

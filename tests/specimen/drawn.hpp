@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "specimen/grains.hpp"
-#include "specimen/picture.hpp"
+#include "specimen/convert/grains.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace specimen_test {
 

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "specimen/error.hpp"
-#include "specimen/picture.hpp"
+#include "specimen/body/error.hpp"
+#include "specimen/picture/picture.hpp"
 #include "tests/specimen/scratch.hpp"
 
 namespace specimen_test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "specimen/specimen.hpp"
+#include "specimen/body/specimen.hpp"
 
 namespace test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libmpm/simulate.hpp"
+#include "libmpm/run/simulate.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "apps/bench/stability_scenes.hpp"
-#include "libmpm/cell_limit.hpp"
+#include "libmpm/solver/lattice/cell_limit.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "apps/complaint.hpp"
+#include "apps/text/complaint.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "specimen/error.hpp"
+#include "specimen/body/error.hpp"
 #include "tests/apps/export/small_mask.hpp"
 
 namespace {

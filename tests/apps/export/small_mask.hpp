@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "specimen/mask.hpp"
+#include "specimen/body/mask.hpp"
 
 namespace test {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "specimen/error.hpp"
+#include "specimen/body/error.hpp"
 
 namespace {
 

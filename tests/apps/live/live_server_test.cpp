@@ -6,7 +6,7 @@
 
 #include <atomic>
 
-#include "apps/complaint.hpp"
+#include "apps/text/complaint.hpp"
 
 namespace {
 

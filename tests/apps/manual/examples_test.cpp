@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <regex>
 
-#include "apps/command_line.hpp"
+#include "apps/command/command_line.hpp"
 #include "apps/manual/expected_value.hpp"
 #include "apps/manual/help_text.hpp"
 #include "tests/apps/manual/program_tree.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/manual/command_tree.hpp"
-#include "apps/program.hpp"
+#include "apps/command/program.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
 #endif

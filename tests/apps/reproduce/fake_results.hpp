@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "apps/reproduce/trial.hpp"
-#include "libmpm/result.hpp"
+#include "libmpm/scene/result.hpp"
 #include "tests/apps/triangle.hpp"
 
 namespace test {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/output/reference_curves.hpp"
+#include "apps/report/reference_curves.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"

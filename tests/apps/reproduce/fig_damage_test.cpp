@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/reproduce/figure.hpp"
-#include "apps/specimen_source.hpp"
+#include "apps/job/specimen_source.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 

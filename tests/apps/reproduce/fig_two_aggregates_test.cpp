@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "apps/reproduce/figure.hpp"
-#include "apps/specimen_source.hpp"
+#include "apps/job/specimen_source.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "apps/complaint.hpp"
+#include "apps/text/complaint.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/complaint.hpp"
+#include "apps/text/complaint.hpp"
 #include "apps/reproduce/paper_scene.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/libmpm/mean_stress.hpp"

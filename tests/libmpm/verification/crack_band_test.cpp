@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "libmpm/simulate.hpp"
+#include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 

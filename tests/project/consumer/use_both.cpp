@@ -1,9 +1,9 @@
 // Breaks a specimen: both libraries are in one program, and both say what a user did wrong.
-#include <libmpm/error.hpp>
-#include <libmpm/simulate.hpp>
-#include <specimen/error.hpp>
-#include <specimen/specimen.hpp>
-#include <specimen/specimen_file.hpp>
+#include <libmpm/scene/error.hpp>
+#include <libmpm/run/simulate.hpp>
+#include <specimen/body/error.hpp>
+#include <specimen/body/specimen.hpp>
+#include <specimen/file/specimen_file.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Pulls a block of mortar until it breaks, and writes and reads the result: Eigen, HDF5 and the threads do
 // their work.
-#include <libmpm/result_file.hpp>
-#include <libmpm/simulate.hpp>
+#include <libmpm/files/result_file.hpp>
+#include <libmpm/run/simulate.hpp>
 
 #include <cstdint>
 #include <optional>

@@ -1,0 +1,130 @@
+#include "apps/command/calibrate_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/calibrate/calibration_folder.hpp"
+#include "apps/calibrate/calibration_json.hpp"
+#include "apps/calibrate/calibration_words.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/system/interrupt.hpp"
+#include "apps/text/json_text.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "apps/system/terminal_line.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* calibrate_footer =
+    "What is free is scaled: each parameter is a factor on the values in the scene, between a twentieth and "
+    "twenty\ntimes, and may stand for several settings, which keep their ratios:\n"
+    "  mortar.tensile_scale                  a key of the scene (phases. may be left out)\n"
+    "  tensile_scale                         that property of all phases\n"
+    "  mortar.cohesion+itz.cohesion          several keys together\n"
+    "  mortar.young=10 GPa..30 GPa           with bounds, for the first of its settings\n"
+    "By default tensile_scale is fitted to a peak stress, young to a strain at the peak, both to both, and\n"
+    "weibull_modulus with them to a curve. Strengths and moduli that grow by one factor raise the stress by "
+    "it "
+    "and\nleave the strain, so that both follow from a peak; more needs a curve.\n"
+    "CURVE.csv has a header with units and cells between commas: strain,stress_MPa (strain_microstrain and "
+    "strain_%,\nstress_Pa, stress_kPa and stress_GPa do too); further columns are skipped, so the curve.csv "
+    "of a run "
+    "will do.\n"
+    "The folder gets scene.toml, the scene with what was fitted, calibration.json and report.html.\n"
+    "Example: a peak of 1.75 MPa at 75 microstrain, the strength of the ITZ in its ratio to that of the "
+    "mortar\n"
+    "  mesopix calibrate data/two_aggregates.toml --peak-stress \"1.75 MPa\" --peak-strain 75e-6";
+
+Calibration fit(const CalibrationTask& task, Console& console) {
+  const InterruptGuard guard;
+  TerminalLine line(console.err, console.err_is_terminal && !console.quiet);
+  line.show(fmt::format("the scene as it is, {} seeds", task.seeds));
+  return calibrate(
+      task, [&] { return guard.interrupted(); },
+      [&](const Calibration& so_far) { line.show(evaluation_text(task, so_far)); });
+}
+
+/// @throws Rejected when the target was not met.
+Exit exit_of(const CalibrationTask& task, const Calibration& calibration, const fs::path& folder,
+             Console& console) {
+  if (calibration.end == SearchEnd::stopped) {
+    console.say("interrupted; the best so far is kept");
+    return Exit::interrupted;
+  }
+  if (const std::string unmet = why_not_met(task, calibration); !unmet.empty())
+    throw Rejected(Exit::data, complaint("calibrate", unmet, "what was found is in " + folder.string()));
+  return Exit::ok;
+}
+
+}  // namespace
+
+CalibrateCommand::CalibrateCommand(CLI::App& program)
+    : Command(program, "calibrate", "Fit parameters of a scene to a measured peak or curve",
+              calibrate_footer),
+      settings_(options(), offer_of_calibrate()) {
+  options().add_option("SCENE", input_, "scene.toml, where the search begins")->type_name("");
+  options()
+      .add_option("--peak-stress", wish_.peak_stress, "to be met by the mean of the seeds")
+      ->type_name("PRESSURE");
+  options()
+      .add_option("--peak-strain", wish_.peak_strain,
+                  "strain of the platens at that stress, 75e-6 or \"75 microstrain\"")
+      ->type_name("NUMBER");
+  options()
+      .add_option("--target", wish_.curve, "whole curve to be met, in place of a peak")
+      ->type_name("CURVE.csv");
+  options().add_option("--free", wish_.free, "what may change, see below")->type_name("PARAMETER,...");
+  options()
+      .add_option("--seeds", wish_.seeds,
+                  "runs of each set of parameters, with damage.seed and those after it [4]")
+      ->type_name("N");
+  options()
+      .add_option("--tolerance", wish_.tolerance, "misfit at which the search ends [0.5 %]")
+      ->type_name("NUMBER");
+  options()
+      .add_option("--max-evaluations", wish_.evaluations, "sets of parameters to try at most [100]")
+      ->type_name("N");
+  options().add_option("-o,--output", output_, "folder [runs/SCENE-calibration, ...]")->type_name("DIR");
+  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  options().add_flag("--json", json_, "calibration.json on standard output too");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+std::vector<std::string> CalibrateCommand::prepare(const std::vector<std::string>& arguments) {
+  return settings_.take_phase_options(arguments);
+}
+
+Exit CalibrateCommand::run(Console& console) {
+  console.quiet = quiet_;
+  if (input_.empty())
+    throw Rejected(Exit::usage, complaint("SCENE", "missing", "", "mesopix calibrate SCENE"));
+  Target target = read_target(wish_);
+  Resolved resolved = resolve_scene(input_, settings_.assignments());
+  console.origins = resolved.origins;
+  Settings& settings = resolved.settings;
+  check_loading(settings.scene);
+  settle_source(settings);
+  if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
+  const Job job = prepare_job(std::move(settings), console);
+  const CalibrationTask task = make_task(job, std::move(target), wish_);
+  const FreshFolder folder(
+      make_run_folder(output_, fs::path(input_).stem().string() + "-calibration", overwrite_));
+  const Calibration calibration = fit(task, console);
+  if (calibration.history.empty()) {
+    console.say("interrupted before anything was found");
+    return Exit::interrupted;
+  }
+  const Attempts written = write_calibration(folder.path(), task, calibration);
+  for (const std::string& line : outcome_lines(task, calibration)) console.say(line);
+  if (json_) console.out << json_text(calibration_json(task, calibration));
+  written.conclude();
+  console.say("wrote " + folder.path().string());
+  return exit_of(task, calibration, folder.path(), console);
+}
+
+}  // namespace app

@@ -1,0 +1,88 @@
+#include "apps/command/convert_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/scene/input.hpp"
+#include "apps/job/specimen_output.hpp"
+#include "apps/job/specimen_report.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "specimen/convert/convert.hpp"
+
+namespace app {
+namespace {
+
+constexpr const char* convert_footer =
+    "Example: a photograph that is 150 mm wide, cut into 300 columns of pixels\n"
+    "  mesopix convert photo.jpg --width \"150 mm\" --pixels 300 -o specimen.h5";
+
+/// Intersection over union with a label picture, phase by phase: how well the segmentation does, before
+/// rings.
+nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specimen::ConvertOptions& options,
+                               const std::string& reference) {
+  specimen::ConvertOptions labels;
+  labels.method = specimen::Segmentation::labels;
+  labels.label_phases = options.label_phases;
+  labels.width = mask.width();
+  labels.max_pixels = options.max_pixels;
+  labels.crop = options.crop;
+  labels.pixels = options.pixels;
+  const auto wanted = specimen::convert_picture(reference, labels).segmented.mask;
+  const auto shares = specimen::intersection_over_union(mask, wanted);
+  nlohmann::ordered_json result = nlohmann::ordered_json::object();
+  for (std::size_t label = 0; label < shares.size(); ++label)
+    if (!std::isnan(shares[label]))
+      result[label < mask.phases.size() ? mask.phases[label] : wanted.phases[label]] = shares[label];
+  return result;
+}
+
+}  // namespace
+
+ConvertCommand::ConvertCommand(CLI::App& program)
+    : Command(program, "convert", "Turn a picture into a specimen", convert_footer),
+      settings_(options(), offer_of_convert()) {
+  options()
+      .add_option("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one")
+      ->type_name("");
+  options()
+      .add_option("-o,--output", output_, "specimen file (.h5) or label picture [PICTURE with .h5]")
+      ->type_name("FILE");
+  options()
+      .add_option("--reference", reference_,
+                  "label picture to compare with: intersection over union per phase")
+      ->type_name("LABELS");
+  options().add_flag("--json", json_, "figures as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+std::vector<std::string> ConvertCommand::prepare(const std::vector<std::string>& arguments) {
+  return settings_.take_phase_options(arguments);
+}
+
+Exit ConvertCommand::run(Console& console) {
+  console.quiet = quiet_;
+  if (input_.empty())
+    throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix convert PICTURE"));
+  Resolved resolved = resolve_picture(input_, settings_.assignments());
+  console.origins = resolved.origins;
+  settle_source(resolved.settings);
+  const std::string picture = resolved.settings.specimen.picture;
+  const std::string output =
+      output_.empty() ? std::filesystem::path(picture).filename().replace_extension(".h5").string() : output_;
+  check_output(output, picture);
+  const Prepared prepared = prepare_specimen(resolved.settings);
+  auto figures = specimen_json(prepared.specimen, {});
+  if (!reference_.empty())
+    figures["intersection_over_union"] =
+        compare(prepared.segmentation, resolved.settings.convert, reference_);
+  report_specimen(console, json_, prepared, figures, write_specimen_output(output, prepared.specimen));
+  if (!reference_.empty() && !json_)
+    for (const auto& [phase, share] : figures["intersection_over_union"].items())
+      console.say(fmt::format("  {:<12} IoU {:.4f}", phase, share.get<double>()));
+  return Exit::ok;
+}
+
+}  // namespace app

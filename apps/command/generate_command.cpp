@@ -1,0 +1,53 @@
+#include "apps/command/generate_command.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "apps/scene/input.hpp"
+#include "apps/job/specimen_output.hpp"
+#include "apps/job/specimen_report.hpp"
+#include "apps/job/specimen_source.hpp"
+
+namespace app {
+namespace {
+
+constexpr const char* generate_footer =
+    "Example: a specimen of 100 mm with 40 % of aggregates between 4 and 16 mm\n"
+    "  mesopix generate --width \"100 mm\" --height \"100 mm\" --fraction 0.4 --d-min \"4 mm\" --d-max \"16 "
+    "mm\" "
+    "-o specimen.h5\n"
+    "then\n"
+    "  mesopix simulate specimen.h5";
+
+}  // namespace
+
+GenerateCommand::GenerateCommand(CLI::App& program)
+    : Command(program, "generate", "Draw random or listed ellipses as a specimen", generate_footer),
+      settings_(options(), offer_of_generate()) {
+  options().add_option("[SCENE]", scene_, "scene.toml whose specimen to draw")->type_name("");
+  options()
+      .add_option("-o,--output", output_,
+                  "specimen file (.h5) or label picture (.png, .tif, .bmp, .pgm) [specimen.h5]")
+      ->type_name("FILE");
+  options().add_flag("--json", json_, "figures as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+std::vector<std::string> GenerateCommand::prepare(const std::vector<std::string>& arguments) {
+  return settings_.take_phase_options(arguments);
+}
+
+Exit GenerateCommand::run(Console& console) {
+  console.quiet = quiet_;
+  check_output(output_, scene_);
+  Resolved resolved = resolve_ellipses(scene_, settings_.assignments());
+  console.origins = resolved.origins;
+  settle_source(resolved.settings);
+  const Prepared prepared = prepare_specimen(resolved.settings);
+  const bool random = source_of(resolved.settings) == Source::generated;
+  const specimen::Grading target = random ? packing_options(resolved.settings).grading : specimen::Grading();
+  const auto files = write_specimen_output(output_, prepared.specimen);
+  report_specimen(console, json_, prepared, specimen_json(prepared.specimen, target), files);
+  return Exit::ok;
+}
+
+}  // namespace app

@@ -1,0 +1,160 @@
+#include "apps/command/inspect_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "apps/system/hdf5_files.hpp"
+#include "apps/text/json_text.hpp"
+#include "apps/job/specimen_report.hpp"
+#include "apps/text/strain_text.hpp"
+#include "libmpm/scene/error.hpp"
+#include "specimen/body/error.hpp"
+#include "specimen/picture/picture.hpp"
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* inspect_footer =
+    "Examples: a run; a photograph, whose scale and size convert will take; a specimen, for a script\n"
+    "  mesopix inspect runs/specimen\n"
+    "  mesopix inspect photo.jpg\n"
+    "  mesopix inspect specimen.h5 --json";
+
+const char* stop_text(mpm::StopReason reason) {
+  switch (reason) {
+    case mpm::StopReason::strain:
+      return "strain";
+    case mpm::StopReason::time:
+      return "time";
+    case mpm::StopReason::drop:
+      return "drop";
+    case mpm::StopReason::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+Json result_json(const mpm::Result& result) {
+  const double strain = result.history.empty() ? 0 : result.history.back().strain;
+  return {{"kind", "result"},
+          {"peak_stress_Pa", result.peak_stress},
+          {"peak_strain", result.peak_strain},
+          {"last_strain", strain},
+          {"stop", stop_text(result.stop)},
+          {"tension_failures", result.tension_failures},
+          {"shear_failures", result.shear_failures},
+          {"points", result.points},
+          {"steps", result.steps},
+          {"dt_s", result.dt},
+          {"wall_time_s", result.wall_time},
+          {"point_updates_per_second", result.point_updates_per_second()},
+          {"energy_error", result.energy_error},
+          {"instruction_set", result.instruction_set},
+          {"threads", result.threads},
+          {"history_rows", result.history.size()}};
+}
+
+std::string result_text(const Json& figures) {
+  return fmt::format(
+      "result: peak {:.4g} MPa at strain {}, ended at strain {} ({})\n"
+      "  {} tension and {} shear failures of {} points\n"
+      "  {} steps of {:.4g} s in {:.2f} s ({:.0f} million point updates a second, {})\n",
+      1e-6 * figures["peak_stress_Pa"].get<double>(), strain_text(figures["peak_strain"].get<double>()),
+      strain_text(figures["last_strain"].get<double>()), figures["stop"].get<std::string>(),
+      figures["tension_failures"].get<std::int64_t>(), figures["shear_failures"].get<std::int64_t>(),
+      figures["points"].get<std::int64_t>(), figures["steps"].get<std::int64_t>(),
+      figures["dt_s"].get<double>(), figures["wall_time_s"].get<double>(),
+      1e-6 * figures["point_updates_per_second"].get<double>(),
+      figures["instruction_set"].get<std::string>());
+}
+
+Json picture_json(const std::string& path) {
+  const specimen::Picture picture = specimen::read_picture(path);
+  Json figures{{"kind", "picture"},
+               {"columns", picture.cols()},
+               {"rows", picture.rows()},
+               {"channels", picture.colour.empty() ? 1 : 3},
+               {"bits", picture.bits},
+               {"pixel_size_m", picture.pixel_size > 0 ? Json(picture.pixel_size) : Json(nullptr)}};
+  if (picture.gray.empty()) return figures;
+  const std::set<double> values(picture.gray.data.begin(), picture.gray.data.end());
+  figures["distinct_values"] = values.size();
+  figures["lowest"] = *values.begin();
+  figures["highest"] = *values.rbegin();
+  return figures;
+}
+
+std::string picture_text(const Json& figures) {
+  const Json& size = figures["pixel_size_m"];
+  const std::string scale =
+      size.is_null() ? "no scale in the file" : fmt::format("pixels of {:.4g} mm", 1e3 * size.get<double>());
+  std::string text =
+      fmt::format("picture of {} x {} pixels, {}, {} bits, {}\n", figures["columns"].get<int>(),
+                  figures["rows"].get<int>(), figures["channels"] == 1 ? "grey" : "colour",
+                  figures["bits"].get<int>(), scale);
+  if (figures.contains("distinct_values"))
+    text += fmt::format("  {} values from {} to {}\n", figures["distinct_values"].get<std::size_t>(),
+                        figures["lowest"].get<double>(), figures["highest"].get<double>());
+  return text;
+}
+
+/// A specimen file or a result file: whichever reader accepts it.
+Json hdf5_json(const std::string& path) {
+  std::string why_no_result;
+  try {
+    return result_json(read_result(path));
+  } catch (const mpm::Error& error) {
+    why_no_result = error.what();
+  }
+  try {
+    return specimen_json(read_specimen(path), {});
+  } catch (const specimen::Error& error) {
+    throw Rejected(Exit::data,
+                   complaint(path, "neither a specimen nor a result", error.what(), why_no_result));
+  }
+}
+
+Json inspect(const std::string& path) {
+  switch (kind_of_input(path)) {
+    case InputKind::folder:
+      return inspect((std::filesystem::path(path) / "result.h5").string());
+    case InputKind::hdf5:
+      return hdf5_json(path);
+    case InputKind::picture:
+      return picture_json(path);
+    case InputKind::scene:
+      throw Rejected(Exit::usage,
+                     complaint(path, "is a scene", "must be a specimen, a result, a run folder or a picture",
+                               "mesopix simulate --print-scene " + path + " resolves it"));
+  }
+  return {};
+}
+
+std::string figures_text(const Json& figures) {
+  const auto kind = figures["kind"].get<std::string>();
+  if (kind == "result") return result_text(figures);
+  return kind == "picture" ? picture_text(figures) : specimen_text(figures);
+}
+
+}  // namespace
+
+InspectCommand::InspectCommand(CLI::App& program)
+    : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture",
+              inspect_footer) {
+  options().add_option("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture")->type_name("");
+  options().add_flag("--json", json_, "as JSON");
+}
+
+Exit InspectCommand::run(Console& console) {
+  if (file_.empty()) throw Rejected(Exit::usage, complaint("FILE", "missing", "", "mesopix inspect FILE"));
+  const Json figures = inspect(file_);
+  console.out << (json_ ? json_text(figures) : printable_lines(figures_text(figures)));
+  return Exit::ok;
+}
+
+}  // namespace app

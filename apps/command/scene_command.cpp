@@ -1,0 +1,205 @@
+#include "apps/command/scene_command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/text/json_text.hpp"
+#include "apps/command/scene_check.hpp"
+#include "apps/scene/scene_draft.hpp"
+#include "apps/scene/scene_schema.hpp"
+#include "apps/settings/schema.hpp"
+#include "apps/text/shell_word.hpp"
+#include "apps/text/suggestion.hpp"
+#include "apps/system/text_file.hpp"
+#include "libmpm/files/replace_file.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* scene_footer =
+    "A scene says all about a run in one file. From nothing to a broken specimen:\n"
+    "  mesopix scene init\n"
+    "  mesopix simulate scene.toml\n"
+    "Example: what is wrong with a scene, all of it\n"
+    "  mesopix scene check scene.toml";
+
+constexpr const char* footer_of_init =
+    "The scene can be solved as it is, in seconds. Settings that a first run is about are given, all others "
+    "that "
+    "have an\neffect stand beside them as comments, with their defaults and what is allowed.\n"
+    "Example: a scene for a photograph of a cut of 40 mm, and a schema with which an editor completes and "
+    "checks "
+    "keys\n"
+    "  mesopix scene init cut.toml --picture cut.jpg --width \"40 mm\" --schema mesopix.schema.json";
+
+constexpr const char* footer_of_check =
+    "Makes the specimen and plans the run, but solves nothing. Mistakes are told in lines FILE:LINE:COLUMN: "
+    "KEY: "
+    "VALUE;\nALLOWED; CURE on standard output, or as a list with --json for editors. What only follows from "
+    "other "
+    "mistakes\nis left out. Exit codes: 0 nothing is wrong, 65 something is, 74 a file cannot be read. "
+    "Studies are "
+    "looked through\nwith their scene and all members.\n"
+    "Example:\n"
+    "  mesopix scene check scene.toml";
+
+constexpr const char* footer_of_schema =
+    "In draft 7, for the TOML plug-ins of editors (Taplo, Even Better TOML); a scene names its schema in the "
+    "first "
+    "line:\n"
+    "  #:schema ./mesopix.schema.json\n"
+    "which mesopix scene init --schema FILE writes. What depends on other keys only mesopix scene check "
+    "tells.\n"
+    "Example:\n"
+    "  mesopix scene schema > mesopix.schema.json";
+
+std::string schema_text() { return json_text(scene_schema()); }
+
+mpm::Direction direction_named(const std::string& word) {
+  Settings settings;
+  try {
+    if (!word.empty()) find_field("loading.direction")->set(settings, {word});
+  } catch (const Mistake& mistake) {
+    throw Rejected(Exit::usage, complaint("--loading", word, mistake.allowed, mistake.cure));
+  }
+  return settings.scene.loading.direction;
+}
+
+}  // namespace
+
+SceneCommand::SceneCommand(CLI::App& program)
+    : Command(program, "scene", "Begin a scene, look through it, describe it to editors", scene_footer) {
+  below_.push_back(std::make_unique<SceneInitCommand>(options()));
+  below_.push_back(std::make_unique<SceneCheckCommand>(options()));
+  below_.push_back(std::make_unique<SceneSchemaCommand>(options()));
+}
+
+std::vector<std::string> SceneCommand::names() const {
+  std::vector<std::string> names;
+  for (const auto& command : below_) names.push_back(command->options().get_name());
+  return names;
+}
+
+std::vector<std::string> SceneCommand::prepare(const std::vector<std::string>& arguments) {
+  const std::string word = arguments.empty() ? "" : arguments.front();
+  const std::vector<std::string> known = names();
+  if (word.rfind('-', 0) != 0 && std::find(known.begin(), known.end(), word) == known.end())
+    throw Rejected(Exit::usage, complaint("mesopix scene", word.empty() ? "needs a command" : word,
+                                          "must be " + listed(known),
+                                          word.empty() ? "mesopix scene --help" : did_you_mean(word, known)));
+  return arguments;
+}
+
+Exit SceneCommand::run(Console& console) {
+  for (const auto& command : below_)
+    if (command->options().parsed()) {
+      refuse_remaining(command->options());
+      return command->run(console);
+    }
+  throw Rejected(Exit::usage, complaint("mesopix scene", "needs a command", "must be " + listed(names()),
+                                        "mesopix scene --help"));
+}
+
+SceneInitCommand::SceneInitCommand(CLI::App& scene)
+    : Command(scene, "init", "Write a scene to begin with", footer_of_init) {
+  options().add_option("[FILE]", argument_, "to write [scene.toml]")->type_name("");
+  options().add_option("-o,--output", output_, "the same as FILE")->type_name("FILE");
+  options().add_flag("--overwrite", overwrite_, "replace a file that is there already");
+  options().add_option("--picture", picture_, "the specimen is made from this picture")->type_name("FILE");
+  options().add_option("--width", width_, "of the picture; by default as its file says")->type_name("LENGTH");
+  options().add_option("--specimen", specimen_, "the specimen is this file, specimen.h5")->type_name("FILE");
+  options()
+      .add_option("--loading", loading_, "what is done to it [tension]")
+      ->type_name(find_field("loading.direction")->type);
+  options()
+      .add_option("--schema", schema_, "write the JSON Schema into this file, and its name into the scene")
+      ->type_name("FILE");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+void SceneInitCommand::check_options() const {
+  const auto refuse = [](const char* option, const char* other) {
+    throw Rejected(Exit::usage,
+                   complaint(option, std::string("given with ") + other, "", "give one of the two"));
+  };
+  if (!argument_.empty() && !output_.empty()) refuse("--output", "FILE");
+  if (!picture_.empty() && !specimen_.empty()) refuse("--specimen", "--picture");
+  if (!width_.empty() && picture_.empty())
+    throw Rejected(Exit::usage, complaint("--width", width_, "is that of a picture, and none is given",
+                                          "add --picture, or change generate.width in the scene"));
+  if (fs::path(file()).extension() != ".toml")
+    throw Rejected(Exit::usage, complaint("FILE", file(), "must end in .toml"));
+  if (fs::exists(file()) && !overwrite_)
+    throw Rejected(Exit::usage, complaint("FILE", file() + " is there already", "",
+                                          "choose another name, or give --overwrite"));
+}
+
+std::string SceneInitCommand::file() const {
+  return !argument_.empty() ? argument_ : !output_.empty() ? output_ : "scene.toml";
+}
+
+/// The same schema may be there already, beside other scenes.
+void SceneInitCommand::write_schema() const {
+  if (schema_.empty()) return;
+  const std::string text = schema_text();
+  if (fs::exists(schema_) && !overwrite_ && read_text_file(schema_) != text)
+    throw Rejected(Exit::usage, complaint("--schema", schema_ + " is there already, and another one", "",
+                                          "choose another name, or give --overwrite"));
+  mpm::replace_file(schema_, text);
+}
+
+Exit SceneInitCommand::run(Console& console) {
+  console.quiet = quiet_;
+  const mpm::Direction direction = direction_named(loading_);
+  check_options();
+  for (const std::string& input : {picture_, specimen_})
+    if (!input.empty()) (void)kind_of_input(input);
+  const std::string text = scene_draft({picture_, width_, specimen_, direction, file(), schema_});
+  write_schema();
+  mpm::replace_file(file(), text);
+  console.say("wrote " + file());
+  const CheckedFile checked = check_file(file());
+  for (const Complaint& one : checked.complaints) console.say("to do: " + app::text(one));
+  if (checked.complaints.empty()) console.say("next: mesopix simulate " + shell_word(file()));
+  return Exit::ok;
+}
+
+SceneCheckCommand::SceneCheckCommand(CLI::App& scene)
+    : Command(scene, "check", "Tell all that is wrong with scenes and studies", footer_of_check) {
+  options().add_option("FILE...", files_, "scene.toml, or study.toml")->type_name("");
+  options().add_flag("--json", json_, "mistakes as a list in JSON");
+  options().add_flag("-q,--quiet", quiet_, "say nothing of files in which nothing is wrong");
+}
+
+Exit SceneCheckCommand::run(Console& console) {
+  console.quiet = quiet_;
+  if (files_.empty())
+    throw Rejected(Exit::usage, complaint("FILE", "missing", "", "mesopix scene check FILE"));
+  std::vector<CheckedFile> checked;
+  for (const std::string& file : files_) checked.push_back(check_file(file));
+  if (json_) console.out << json_text(complaints_json(checked));
+  Exit code = Exit::ok;
+  for (const CheckedFile& one : checked) {
+    for (const Complaint& complaint : one.complaints)
+      if (!json_) console.out << app::text(complaint) << '\n';
+    for (const std::string& note : one.notes) console.say(one.file + ": note: " + note);
+    if (one.complaints.empty() && !json_ && !quiet_)
+      console.out << printable(one.file + ": " + one.what) << '\n';
+    if (!one.readable) code = Exit::io;
+    if (!one.complaints.empty() && code == Exit::ok) code = Exit::data;
+  }
+  return code;
+}
+
+SceneSchemaCommand::SceneSchemaCommand(CLI::App& scene)
+    : Command(scene, "schema", "Print the JSON Schema of scenes, for editors", footer_of_schema) {}
+
+Exit SceneSchemaCommand::run(Console& console) {
+  console.out << schema_text();
+  return Exit::ok;
+}
+
+}  // namespace app

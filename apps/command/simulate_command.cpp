@@ -1,0 +1,196 @@
+#include "apps/command/simulate_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "apps/run/explanation.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/text/json_text.hpp"
+#include "apps/report/load_words.hpp"
+#include "apps/text/text.hpp"
+#include "apps/settings/read_option.hpp"
+#include "apps/run/resumption.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/run/solving.hpp"
+#include "apps/job/specimen_source.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* simulate_footer =
+    "The settings of the specimen are options too, by their keys: --generate.fraction 0.4, --convert.width "
+    "\"150 mm\";\nsee mesopix generate --help and mesopix convert --help. --print-scene shows all of them as "
+    "a scene.\n"
+    "Ctrl-C, or SIGTERM, ends a run with exit code 75; it goes on, on as many threads as you like, with "
+    "--resume.\n"
+    "Example: tension until the stress has dropped to 20 % of its peak; on with it after Ctrl-C; all of it "
+    "from "
+    "a file\n"
+    "  mesopix simulate specimen.h5 --velocity \"0.02 m/s\" --stop-drop 0.2 --mortar.tensile-scale \"12 "
+    "MPa\" -o run\n"
+    "  mesopix simulate --resume run\n"
+    "  mesopix simulate data/two_aggregates.toml --frames 40";
+
+/// Gives the job the rate, step and precision that the tolerance asks for.   @return their error.
+output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
+  const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
+  adopt(found, tolerance, job);
+  console.say(
+      fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision, found in {:.2f} s",
+                  output::trimmed(100 * tolerance) + " %", found.met ? "met" : "not met",
+                  output::trimmed(found.scene.loading.velocity, 4), output::trimmed(found.scene.cfl, 4),
+                  found.scene.precision == mpm::Precision::single ? "single" : "double", found.wall_time));
+  return found.estimate;
+}
+
+}  // namespace
+
+SimulateCommand::SimulateCommand(CLI::App& program)
+    : Command(program, "simulate", "Break a specimen, and write what happened into a folder",
+              simulate_footer),
+      settings_(options(), offer_of_simulate()) {
+  options().add_option("[INPUT]", input_, "specimen.h5, scene.toml or picture")->type_name("");
+  options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
+  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");
+  options().add_flag("--explain", explain_,
+                     "print what the run computes, what it leaves out and what that saves, and do no more");
+  options().add_flag(
+      "--estimate-error", estimate_error_,
+      "say how wrong the peak may be, from runs at another rate, step, precision and pixel size");
+  options()
+      .add_option(
+          "--tolerance", tolerance_,
+          "choose the rate, the step and the precision that keep the error of the peak stress below this, "
+          "e.g. \"1 %\"")
+      ->type_name("RATIO");
+  options()
+      .add_option("--checkpoint-every", checkpoint_every_,
+                  "wall time after which a run is kept to go on from, e.g. \"60 s\"; no part of the scene")
+      ->type_name("TIME");
+  options()
+      .add_option(
+          "--resume", resume_,
+          "go on with the run in a folder, from its last checkpoint; the result is the same to the last bit")
+      ->type_name("DIR");
+  options().add_flag("--serve", serve_,
+                     "show the report in a browser on this machine while the run goes on, with a button that "
+                     "stops it; the address is printed");
+  options().add_option("--port", port_, "of --serve on 127.0.0.1 [any that is free]")->type_name("NUMBER");
+  options().add_flag("--json", json_, "summary as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+std::vector<std::string> SimulateCommand::prepare(const std::vector<std::string>& arguments) {
+  return settings_.take_phase_options(arguments);
+}
+
+void SimulateCommand::check_options() const {
+  const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
+  const char* asked = error != nullptr ? error : serve_ ? "--serve" : nullptr;
+  const auto refuse = [](const char* option, const char* other) {
+    throw Rejected(Exit::usage,
+                   complaint(option, std::string("given with ") + other, "", "give one of the two"));
+  };
+  if (!resume_.empty()) {
+    const char* other = !input_.empty()    ? "INPUT"
+                        : !output_.empty() ? "--output"
+                        : overwrite_       ? "--overwrite"
+                        : print_scene_     ? "--print-scene"
+                        : explain_         ? "--explain"
+                                           : error;
+    if (other != nullptr) refuse("--resume", other);
+    return;
+  }
+  if (input_.empty())
+    throw Rejected(Exit::usage, complaint("INPUT", "missing", "", "mesopix simulate INPUT"));
+  const char* other = explain_                                 ? "--explain"
+                      : print_scene_                           ? "--print-scene"
+                      : !tolerance_.empty() && estimate_error_ ? "--estimate-error"
+                                                               : nullptr;
+  if (asked != nullptr && other != nullptr) refuse(asked, other);
+}
+
+/// Of the live view, where it was asked for; 0 = any that is free.
+std::optional<int> SimulateCommand::port() const {
+  if (!serve_ && !port_.empty())
+    throw Rejected(Exit::usage,
+                   complaint("--port", port_, "is for --serve, which is not given", "add --serve"));
+  if (!serve_) return std::nullopt;
+  return port_.empty() ? 0 : read_option("--port", port_, Integer<int>{{between(1, 65535), {}}});
+}
+
+double SimulateCommand::tolerance() const {
+  return read_option("--tolerance", tolerance_, Quantity{Dimension::ratio, inside(0, 1), {}});
+}
+
+/// Wall time between checkpoints [s], where it was given.
+std::optional<double> SimulateCommand::checkpoint_every() const {
+  if (checkpoint_every_.empty()) return std::nullopt;
+  return read_option("--checkpoint-every", checkpoint_every_, Quantity{Dimension::time, above(0), {}});
+}
+
+Exit SimulateCommand::run(Console& console) {
+  console.quiet = quiet_;
+  check_options();
+  return resume_.empty() ? begin(console) : go_on(console);
+}
+
+Exit SimulateCommand::begin(Console& console) {
+  const std::optional<int> port = this->port();
+  const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
+  RunRemarks remarks;
+  remarks.estimate_error = estimate_error_;
+  remarks.checkpoint_every = checkpoint_every().value_or(0);
+  Resolved resolved = resolve_input("INPUT", input_, settings_.assignments());
+  console.origins = resolved.origins;
+  Settings& settings = resolved.settings;
+  settle_source(settings);
+  if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
+  if (print_scene_) {
+    console.out << scene_text(settings, Extent::whole, fs::current_path());
+    return Exit::ok;
+  }
+  Job job = prepare_job(std::move(settings), console);
+  if (explain_) {
+    const mpm::Explanation explanation = mpm::explain(job.scene);
+    console.out << (json_ ? json_text(explanation_json(explanation)) : explanation_text(explanation));
+    return Exit::ok;
+  }
+  if ((estimate_error_ || wanted) && !output::has_platens(job.scene))
+    throw Rejected(Exit::usage, complaint(wanted ? "--tolerance" : "--estimate-error", "there are no platens",
+                                          "needs a test in tension or compression"));
+  const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
+  const InterruptGuard guard;
+  try {
+    if (wanted) remarks.tolerated = meet(*wanted, job, console, guard);
+  } catch (const NoEstimate& failed) {
+    throw Rejected(failed.interrupted ? Exit::interrupted : Exit::data,
+                   complaint("--tolerance", "not met, " + failed.why, "", "nothing was written"));
+  }
+  remarks.notes = job.notes;
+  std::string toml = scene_text(job.settings, Extent::whole, folder.path());
+  return carry_out(
+      {std::move(job), folder.path(), std::move(toml), std::move(remarks), std::nullopt, port, json_}, guard,
+      console);
+}
+
+Exit SimulateCommand::go_on(Console& console) {
+  const std::optional<double> every = checkpoint_every();
+  const std::optional<int> port = this->port();
+  std::optional<RunTask> task = task_that_goes_on(resume_, settings_.assignments(), console);
+  if (!task) return Exit::ok;
+  task->json = json_;
+  task->port = port;
+  if (every) task->remarks.checkpoint_every = *every;
+  const InterruptGuard guard;
+  return carry_out(std::move(*task), guard, console);
+}
+
+}  // namespace app

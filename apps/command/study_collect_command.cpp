@@ -1,0 +1,42 @@
+#include "apps/command/study_collect_command.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/text/json_text.hpp"
+#include "apps/study/study_closing.hpp"
+#include "apps/study/study_results.hpp"
+
+namespace app {
+
+StudyCollectCommand::StudyCollectCommand(CLI::App& study)
+    : Command(
+          study, "collect", "Make tables and report of the members that are done",
+          "Runs nothing. Exit code 75 when members are still open: what is there is written all the same.\n"
+          "Example: after mesopix study submit, or mesopix study --members on several machines\n"
+          "  mesopix study collect study.toml") {
+  input_.add_to(options());
+  options().add_flag("--json", json_, "number of members and mean peak as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+Exit StudyCollectCommand::run(Console& console) {
+  console.quiet = quiet_;
+  const OpenStudy open = open_study(input_);
+  const StudyResults results = read_results(open.folder, open.members);
+  const std::size_t missing = results.count(MemberState::open);
+  if (missing == open.members.size())
+    throw Rejected(Exit::data, complaint("study collect", open.folder.path().string(), "has no result yet",
+                                         "mesopix study submit"));
+  close_study(open.folder, open.study, open.members, results, console);
+  if (json_) console.out << json_text(study_json(open.folder, open.study, open.members, results));
+  if (missing > 0) {
+    console.say(fmt::format("{} of {} members have no result yet", missing, open.members.size()));
+    return Exit::interrupted;
+  }
+  refuse_failures(open.study, open.folder, open.members);
+  return Exit::ok;
+}
+
+}  // namespace app

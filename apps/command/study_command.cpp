@@ -1,0 +1,198 @@
+#include "apps/command/study_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/system/interrupt.hpp"
+#include "apps/system/job_pool.hpp"
+#include "apps/text/json_text.hpp"
+#include "apps/text/text.hpp"
+#include "apps/settings/read_option.hpp"
+#include "apps/text/shell_word.hpp"
+#include "apps/study/study_closing.hpp"
+#include "apps/command/study_collect_command.hpp"
+#include "apps/study/study_fields.hpp"
+#include "apps/study/study_file.hpp"
+#include "apps/study/study_line.hpp"
+#include "apps/command/study_status_command.hpp"
+#include "apps/command/study_submit_command.hpp"
+#include "apps/text/text_parts.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* about_values =
+    "[vary] has keys of the scene; several with + take one value. Values are a list, equal steps, or a range "
+    "to "
+    "sample:\n"
+    "  \"generate.width + generate.height\" = [\"75 mm\", \"150 mm\"]\n"
+    "  \"loading.velocity\" = {from = \"0.02 m/s\", to = \"0.1 m/s\", steps = 5}\n"
+    "  \"phases.mortar.tensile_scale\" = {low = \"10 MPa\", high = \"20 MPa\"}\n";
+
+constexpr const char* about_members =
+    "Members run one on each core, each on one thread. Memory is taken by those that run, less than 100 MB "
+    "each "
+    "for a\nmillion points, and by 200 points of the curve of every member. The folder keeps every member by "
+    "what it\ndepends on, the version of the program included: the same command goes on where it stopped, "
+    "and a "
+    "study\nmay grow by seeds, levels and samples (a Latin hypercube cannot). It gets table.csv, table.h5 "
+    "and "
+    "report.html;\nmembers write no frames. The table is the same whatever ran where; on processors of "
+    "different "
+    "kinds, set\nsolver.instruction_set in the scene.\n"
+    "On a cluster: mesopix study submit, status, collect.\n"
+    "Example: twenty specimens, or as many as tell the mean strength to 2 %\n"
+    "  mesopix study data/tension_study.toml\n"
+    "  mesopix study data/tension_study.toml --until-ci \"2 %\"";
+
+/// What a study file may say, by its own schema.
+std::string study_footer() {
+  std::string text = "Keys of STUDY.toml:\n";
+  for (const auto& field : study_fields())
+    text += fmt::format("  {:<14}{:<30}{}\n", field.key, field.type, field.help);
+  return text + about_values + about_members;
+}
+
+}  // namespace
+
+StudyCommand::StudyCommand(CLI::App& program)
+    : Command(program, "study", "Run a scene many times, with other seeds and values", study_footer()) {
+  input_.add_to(options());
+  options().add_option("--jobs", jobs_, "members at a time [one a core]")->type_name("N");
+  options()
+      .add_option(
+          "--until-ci", until_ci_,
+          "more seeds until the 95 % confidence interval of the mean peak stress is within this share "
+          "of it, e.g. \"2 %\"")
+      ->type_name("RATIO");
+  options()
+      .add_option("--members", members_,
+                  "only those from number I to before J, and no table: for several machines")
+      ->type_name("I:J");
+  options().add_flag("--retry", retry_, "run members again that have failed before");
+  options().add_flag("--json", json_, "number of members and mean peak as JSON on standard output");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+  below_.push_back(std::make_unique<StudySubmitCommand>(options()));
+  below_.push_back(std::make_unique<StudyStatusCommand>(options()));
+  below_.push_back(std::make_unique<StudyCollectCommand>(options()));
+}
+
+void StudyCommand::check_options() const {
+  input_.check();
+  if (!until_ci_.empty() && !members_.empty())
+    throw Rejected(Exit::usage, complaint("--until-ci", "given with --members", "", "give one of the two"));
+}
+
+int StudyCommand::workers() const {
+  return jobs_.empty() ? core_count() : read_option("--jobs", jobs_, Integer<>{{between(1, 1024), {}}});
+}
+
+/// That goes on with the study.
+std::string StudyCommand::command() const {
+  std::string text = "mesopix study";
+  for (const std::string& word : input_.words()) text += " " + shell_word(word);
+  if (!members_.empty()) text += " --members " + members_;
+  if (!until_ci_.empty()) text += " --until-ci " + shell_word(until_ci_);
+  if (!jobs_.empty()) text += " --jobs " + jobs_;
+  return text;
+}
+
+/// Those of --members.
+std::vector<Member> StudyCommand::wanted(const std::vector<Member>& members) const {
+  const std::size_t colon = members_.find(':');
+  const auto number = [&](std::string_view text) { return whole_number(trimmed(text)); };
+  const auto from = number(std::string_view(members_).substr(0, colon));
+  const auto to =
+      colon == std::string::npos ? std::nullopt : number(std::string_view(members_).substr(colon + 1));
+  const auto count = static_cast<std::int64_t>(members.size());
+  if (!from || !to || *from < 0 || *from >= *to || *to > count)
+    throw Rejected(Exit::usage,
+                   complaint("--members", members_,
+                             fmt::format("must be I:J with 0 <= I < J <= {}, the number of members", count)));
+  return {members.begin() + *from, members.begin() + *to};
+}
+
+StudyTally StudyCommand::work(const Study& study, const std::vector<Member>& members,
+                              const InterruptGuard& guard, Console& console) const {
+  StudyLine line(console);
+  return run_members(
+      study, input_.folder(), members, workers(),
+      {[&](const StudyTally& tally) { line.show(tally); }, [&] { return !guard.interrupted(); }});
+}
+
+Exit StudyCommand::say_interrupted(const StudyTally& tally, const std::vector<Member>& members,
+                                   Console& console) const {
+  if (json_) console.out << json_text(count_json(input_.folder(), members));
+  console.say(fmt::format("interrupted; {} of {} members are done or have failed, and are kept",
+                          tally.all - tally.open(), tally.all));
+  console.say("to go on: " + command());
+  return Exit::interrupted;
+}
+
+Exit StudyCommand::run_part(const Study& study, const std::vector<Member>& members, Console& console) const {
+  const InterruptGuard guard;
+  const StudyTally tally = work(study, members, guard, console);
+  if (tally.open() > 0) return say_interrupted(tally, members, console);
+  console.say(fmt::format("{} members, of which {} were there before", tally.all, tally.before));
+  if (json_) console.out << json_text(count_json(input_.folder(), members));
+  refuse_failures(study, input_.folder(), members);
+  return Exit::ok;
+}
+
+/// Runs the study, and as many seeds more as --until-ci asks for.
+Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& console) const {
+  const InterruptGuard guard;
+  const WholeStudy whole = run_whole_study(
+      std::move(study), std::move(members), input_.folder(), until_ci(),
+      [&](const Study& grown, const std::vector<Member>& all) { return work(grown, all, guard, console); });
+  if (!whole.results) return say_interrupted(whole.tally, whole.members, console);
+  finish(whole, console);
+  return Exit::ok;
+}
+
+/// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
+void StudyCommand::finish(const WholeStudy& whole, Console& console) const {
+  close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
+  if (json_)
+    console.out << json_text(study_json(input_.folder(), whole.study, whole.members, *whole.results));
+  refuse_failures(whole.study, input_.folder(), whole.members);
+  if (const double share = until_ci(); share > 0 && !(whole.half_width() <= share))
+    throw Rejected(Exit::data, complaint("--until-ci", until_ci_,
+                                         fmt::format("not met with {} seeds", whole.study.plan.seeds.size()),
+                                         "choose a larger share"));
+}
+
+/// 0 when it is not given.
+double StudyCommand::until_ci() const {
+  if (until_ci_.empty()) return 0;
+  return read_option("--until-ci", until_ci_, Quantity{Dimension::ratio, inside(0, 1), {}});
+}
+
+Exit StudyCommand::run(Console& console) {
+  for (const auto& command : below_)
+    if (command->options().parsed()) {
+      refuse_remaining(command->options());
+      return command->run(console);
+    }
+  console.quiet = quiet_;
+  check_options();
+  (void)workers();
+  (void)until_ci();
+  const Study study = read_study(input_.file());
+  if (!until_ci_.empty() && study.plan.seeds.empty())
+    throw Rejected(Exit::usage, complaint("--until-ci", until_ci_, "needs a study with seeds",
+                                          "write seeds = 10 into " + input_.file()));
+  const std::vector<Member> all = list_members(study);
+  const std::vector<Member> members = members_.empty() ? all : wanted(all);
+  check_scenes(study, members);
+  input_.folder().open(study, all);
+  if (retry_)
+    for (const Member& member : members) input_.folder().forget_failure(member);
+  return members_.empty() ? run_whole(study, members, console) : run_part(study, members, console);
+}
+
+}  // namespace app

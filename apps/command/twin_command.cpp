@@ -1,0 +1,110 @@
+#include "apps/command/twin_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "apps/scene/input.hpp"
+#include "apps/system/interrupt.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/job/specimen_source.hpp"
+#include "apps/system/terminal_line.hpp"
+#include "apps/twin/twin_folder.hpp"
+#include "apps/twin/twin_words.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* twin_footer =
+    "PICTURE is all that convert reads, with its options, since the scale must be known; or a specimen.h5, "
+    "or a\n"
+    "scene.toml. Sizes, aspect ratios and directions of its aggregates are measured, and as many random ones "
+    "drawn\n"
+    "from them as fill the same fraction, at random places. How far fraction, sizes, neighbours and "
+    "two-point\n"
+    "probability S2 of the twins are off is told beside their scatter.\n"
+    "The folder gets original.h5, twin_001.h5, ... with their previews, statistics.csv, statistics.json and\n"
+    "report.html; scene.toml, which breaks the first twin; and study.toml, with which mesopix study breaks "
+    "them "
+    "all.\n"
+    "Example: fifty specimens like a photograph that is 150 mm wide\n"
+    "  mesopix twin photo.jpg --width \"150 mm\" --pixels 300 -n 50";
+
+std::vector<TwinRecord> make(const TwinTask& task, const fs::path& folder, const InterruptGuard& guard,
+                             Console& console) {
+  TerminalLine line(console.err, console.err_is_terminal && !console.quiet);
+  const auto show = [&](std::size_t done) { line.show(fmt::format("{} of {} twins", done, task.count)); };
+  show(0);
+  return make_twins(
+      task, folder, [&] { return guard.interrupted(); }, show);
+}
+
+}  // namespace
+
+TwinCommand::TwinCommand(CLI::App& program)
+    : Command(program, "twin", "Draw random specimens that are like a picture", twin_footer),
+      settings_(options(), offer_of_twin()) {
+  options()
+      .add_option("PICTURE", input_, "picture, specimen.h5 or scene.toml of the original")
+      ->type_name("");
+  options().add_option("-n,--count", wish_.count, "number of twins [10]")->type_name("N");
+  options()
+      .add_option("--seed", wish_.seed, "of the first twin; the others have those after it [1]")
+      ->type_name("N");
+  options().add_option("--twin-width", wish_.width, "of the twins [as the original]")->type_name("LENGTH");
+  options().add_option("--twin-height", wish_.height, "of the twins [as the original]")->type_name("LENGTH");
+  options()
+      .add_option("--twin-pixel-size", wish_.pixel_size, "of the twins [as the original]")
+      ->type_name("LENGTH");
+  options()
+      .add_option("--gap", wish_.gap,
+                  "least distance of aggregates; auto = as those of the original keep [auto]")
+      ->type_name("LENGTH|auto");
+  options()
+      .add_option("--border", wish_.border,
+                  "cut = that of a saw cut, which cuts aggregates; whole = a wall, which keeps them inside; "
+                  "auto = as that of the original [auto]")
+      ->type_name("auto|cut|whole");
+  options().add_option("-o,--output", output_, "folder [runs/PICTURE-twins, ...]")->type_name("DIR");
+  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  options().add_flag("--json", json_, "statistics.json on standard output too");
+  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
+}
+
+std::vector<std::string> TwinCommand::prepare(const std::vector<std::string>& arguments) {
+  return settings_.take_phase_options(arguments);
+}
+
+Exit TwinCommand::run(Console& console) {
+  console.quiet = quiet_;
+  if (input_.empty())
+    throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix twin PICTURE"));
+  (void)twin_options(wish_);
+  Resolved resolved = resolve_input("PICTURE", input_, settings_.assignments());
+  console.origins = resolved.origins;
+  settle_source(resolved.settings);
+  Prepared prepared = prepare_specimen(resolved.settings);
+  const specimen::ItzOptions itz =
+      source_of(resolved.settings) == Source::file ? prepared.specimen.itz : resolved.settings.itz;
+  const TwinTask task = make_twin_task(wish_, input_, resolved.settings, itz, std::move(prepared.specimen));
+  const FreshFolder folder(make_run_folder(output_, task.name + "-twins", overwrite_));
+  const InterruptGuard guard;
+  const std::vector<TwinRecord> twins = make(task, folder.path(), guard, console);
+  if (twins.empty()) {
+    console.say("interrupted before a twin was made");
+    return Exit::interrupted;
+  }
+  const TwinStatistics statistics = write_twin_statistics(folder.path(), task, twins, prepared.notes);
+  for (const std::string& note : statistics.notes) console.say("note: " + note);
+  console.say(twins_text(task, twins.size()));
+  for (const std::string& line : misfit_lines(task, statistics.misfit)) console.say(line);
+  if (json_) console.out << statistics.json;
+  console.say("wrote " + folder.path().string());
+  if (twins.size() == static_cast<std::size_t>(task.count)) return Exit::ok;
+  console.say("interrupted; the twins that were made are kept");
+  return Exit::interrupted;
+}
+
+}  // namespace app

@@ -1,0 +1,44 @@
+/// What a chart says: data, axes, series. How it looks is the matter of chart_layout and the renderers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/drawing/ink.hpp"
+
+namespace output {
+
+/// A quantity along an axis, in the unit that is shown.
+struct Axis {
+  std::string label;         ///< "Stress"
+  std::string unit;          ///< "MPa"
+  bool logarithmic = false;  ///< values that are not positive leave a gap
+  bool tight = false;        ///< reaches as far as the values do, and not to zero
+};
+
+/// A line through points; points that are not finite leave a gap.
+struct Series {
+  std::string name;       ///< in the legend; empty = not there
+  std::vector<double> x;  ///< in the unit of the axis, rising
+  std::vector<double> y;  ///< same length
+  Ink ink = Ink::first;
+  bool dashed = false;
+  bool dotted = false;  ///< a dot on each of its points
+};
+
+/// A point that is pointed out, with a few words or none.
+struct Marker {
+  double x = 0;
+  double y = 0;
+  std::string text;
+};
+
+struct Chart {
+  std::string title;  ///< for those who cannot see it
+  Axis x;
+  Axis y;
+  std::vector<Series> series;  ///< more than one: a legend is drawn
+  std::vector<Marker> markers;
+};
+
+}  // namespace output

@@ -1,0 +1,36 @@
+/// What stands below a picture of a specimen, as all of them have it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/drawing/drawing.hpp"
+
+namespace output {
+
+inline constexpr double picture_width = 480;  ///< of a specimen on a drawing [px]
+inline constexpr double text_line = 22;       ///< from line to line [px]
+
+/// Whole factor that gives a picture so many pixels that viewers which smooth pictures leave sharp edges; for
+/// the sake of memory no more than 8000 rows of them, unless it has more itself.
+[[nodiscard]] int crisp_factor(int rows, int cols);
+
+/// The picture over the whole width, framed.
+/// @return its height on the drawing [px].
+double add_picture(Drawing& drawing, specimen::Raster<specimen::Rgb> picture);
+
+/// A bar of a round length with what it is, and a line of words at the other end.
+/// @param px_per_metre  of the specimen.   @param y  of the bar.
+void add_scale_bar(Drawing& drawing, double px_per_metre, double y, const std::string& words);
+
+/// A colour of the picture and what it is.
+struct LegendEntry {
+  specimen::Rgb colour;
+  std::string name;
+};
+
+/// In as many lines as they need, the first of them at y.
+/// @return y of the last line.
+double add_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, double y);
+
+}  // namespace output

@@ -1,0 +1,20 @@
+/// The figures of a specimen, for people and for programs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "specimen/pack/grading.hpp"
+#include "specimen/body/specimen.hpp"
+
+namespace app {
+
+/// SI units in the names of the keys; a figure that does not exist is null.
+/// @param target  grading that was asked for; empty when none was.
+[[nodiscard]] nlohmann::ordered_json specimen_json(const specimen::Specimen& specimen,
+                                                   const specimen::Grading& target);
+
+/// The same as a few lines of text, made from the JSON.
+[[nodiscard]] std::string specimen_text(const nlohmann::ordered_json& figures);
+
+}  // namespace app

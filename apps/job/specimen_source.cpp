@@ -1,0 +1,103 @@
+#include "apps/job/specimen_source.hpp"
+
+#include <filesystem>
+
+#include "apps/text/complaint.hpp"
+#include "apps/scene/ellipse_list.hpp"
+#include "apps/system/hdf5_files.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/text/version.hpp"
+#include "specimen/convert/convert.hpp"
+#include "specimen/body/digest.hpp"
+#include "specimen/pack/packing.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+specimen::Provenance provenance(const Settings& settings, std::string source, const fs::path& folder) {
+  return {std::move(source), settings.specimen.sha256, scene_text(settings, Extent::specimen, folder), 0,
+          version()};
+}
+
+Prepared draw(const Settings& settings, const std::vector<specimen::Ellipse>& ellipses,
+              specimen::Provenance provenance) {
+  auto segmented =
+      specimen::draw_ellipses(ellipses, settings.packing.width, settings.packing.height, settings.pixel_size);
+  return {specimen::make_specimen(std::move(segmented), settings.itz, std::move(provenance)), {}, {}};
+}
+
+Prepared generate(const Settings& settings) {
+  const specimen::Packing packing = specimen::pack(packing_options(settings));
+  specimen::Provenance origin = provenance(settings, "generated", fs::path());
+  origin.seed = settings.packing.seed;
+  Prepared prepared = draw(settings, packing.ellipses, std::move(origin));
+  if (packing.relaxed)
+    prepared.notes.push_back(
+        "plain placement did not reach the fraction; overlaps were pushed apart instead");
+  return prepared;
+}
+
+/// A label picture that has its ITZ needs no second one round it.
+specimen::ItzOptions itz_for(const specimen::LabelledMask& mask, specimen::ItzOptions options,
+                             std::vector<std::string>& notes) {
+  const bool has_itz = specimen::count_labels(mask)[specimen::phase::itz] > 0;
+  if (!has_itz || options.mode != specimen::ItzMode::ring) return options;
+  notes.emplace_back("the picture has its ITZ already, so no rings were drawn");
+  options.mode = specimen::ItzMode::none;
+  return options;
+}
+
+Prepared with_rings(specimen::Converted converted, const Settings& settings) {
+  const fs::path picture = settings.specimen.picture;
+  Prepared prepared;
+  prepared.notes = std::move(converted.report.notes);
+  prepared.segmentation = converted.segmented.mask;
+  const auto itz = itz_for(prepared.segmentation, settings.itz, prepared.notes);
+  auto origin = provenance(settings, picture.filename().string(), picture.parent_path());
+  prepared.specimen = specimen::make_specimen(std::move(converted.segmented), itz, std::move(origin));
+  return prepared;
+}
+
+void pin(const std::string& file, std::string& expected) {
+  const std::string found = specimen::sha256_of_file(file);
+  if (!expected.empty() && expected != found)
+    throw Rejected(Exit::data, complaint("specimen.sha256", file + " has " + found, "must be " + expected,
+                                         "bring the file back as it was, or remove specimen.sha256"));
+  expected = found;
+}
+
+}  // namespace
+
+void settle_source(Settings& settings) {
+  SpecimenChoice& choice = settings.specimen;
+  if (!choice.ellipses.empty()) {
+    pin(choice.ellipses, choice.sha256);
+    choice.ellipse_list = read_ellipse_list(choice.ellipses);
+    choice.ellipses.clear();
+    choice.sha256.clear();
+  }
+  if (!choice.file.empty()) pin(choice.file, choice.sha256);
+  if (!choice.picture.empty()) pin(choice.picture, choice.sha256);
+}
+
+Prepared prepare_specimen(specimen::Picture picture, const Settings& settings) {
+  return with_rings(specimen::convert_picture(std::move(picture), settings.convert), settings);
+}
+
+Prepared prepare_specimen(const Settings& settings) {
+  switch (source_of(settings)) {
+    case Source::generated:
+      return generate(settings);
+    case Source::ellipses:
+      return draw(settings, settings.specimen.ellipse_list, provenance(settings, "ellipse list", fs::path()));
+    case Source::picture:
+      return with_rings(specimen::convert_picture(settings.specimen.picture, settings.convert), settings);
+    case Source::file:
+      return {read_specimen(settings.specimen.file), {}, {}};
+  }
+  return {};
+}
+
+}  // namespace app

@@ -1,0 +1,124 @@
+#include "apps/report/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "apps/report/chart_json.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/drawing/strain_unit.hpp"
+#include "apps/text/text.hpp"
+
+namespace output {
+namespace {
+
+using Runs = std::vector<ComparedRun>;
+
+StrainUnit common_unit(const Runs& runs) {
+  double largest = 0;
+  for (const ComparedRun& run : runs)
+    for (const mpm::HistoryRow& row : run.result.history) largest = std::max(largest, std::abs(row.strain));
+  return strain_unit(largest);
+}
+
+Chart curves(const Runs& runs, const StrainUnit& unit) {
+  constexpr Ink inks[] = {Ink::first, Ink::second, Ink::third, Ink::fourth, Ink::fifth};
+  constexpr std::size_t count = std::size(inks);
+  Chart chart{"Stress against strain of the runs", {"Strain", unit.name}, {"Stress", "MPa"}, {}, {}};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Series series{runs[i].name, {}, {}, inks[i % count], i >= count};
+    for (const mpm::HistoryRow& row : runs[i].result.history) {
+      series.x.push_back(unit.per_strain * row.strain);
+      series.y.push_back(1e-6 * row.stress);
+    }
+    chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+/// A key figure of a run.
+struct Figure {
+  std::string name, unit;
+  std::function<double(const mpm::Result&)> of;
+};
+
+std::vector<Figure> figures(const StrainUnit& unit) {
+  const double per_strain = unit.per_strain;
+  const auto end = [](const mpm::Result& result) {
+    return result.history.empty() ? mpm::HistoryRow{} : result.history.back();
+  };
+  return {
+      {"Peak stress", "MPa", [](const mpm::Result& r) { return 1e-6 * r.peak_stress; }},
+      {"Strain at the peak", unit.name, [=](const mpm::Result& r) { return per_strain * r.peak_strain; }},
+      {"Secant modulus at 40 %", "GPa", [](const mpm::Result& r) { return 1e-9 * secant_modulus(r); }},
+      {"Strain at the end", unit.name, [=](const mpm::Result& r) { return per_strain * end(r).strain; }},
+      {"Work of the platens", "J/m", [=](const mpm::Result& r) { return end(r).platen_work; }},
+      {"Failures in tension", "points", [](const mpm::Result& r) { return double(r.tension_failures); }},
+      {"Failures in shear", "points", [](const mpm::Result& r) { return double(r.shear_failures); }},
+      {"Material points", "points", [](const mpm::Result& r) { return double(r.points); }},
+      {"Steps", "steps", [](const mpm::Result& r) { return double(r.steps); }},
+      {"Time of the loop", "s", [](const mpm::Result& r) { return r.wall_time; }},
+  };
+}
+
+/// "3.43 (+2.1 %)": of the first run the figure alone.
+std::string with_distance(double value, double first, bool is_first) {
+  std::string text = rounded(value);
+  if (is_first || !std::isfinite(value) || !std::isfinite(first) || first == 0) return text;
+  const double distance = value / first - 1;
+  return distance == 0 ? text + " (same)"
+                       : text + fmt::format(" ({}{})", distance > 0 ? "+" : "", percent(distance));
+}
+
+std::vector<std::string> head(const Runs& runs, const std::string& first) {
+  std::vector<std::string> cells{first};
+  for (const ComparedRun& run : runs) cells.push_back(run.name);
+  return cells;
+}
+
+std::string figure_table(const Runs& runs, const StrainUnit& unit) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Figure& figure : figures(unit)) {
+    std::vector<std::string> row{figure.name + " [" + figure.unit + "]"};
+    const double first = figure.of(runs.front().result);
+    for (const ComparedRun& run : runs)
+      row.push_back(with_distance(figure.of(run.result), first, &run == &runs.front()));
+    rows.push_back(std::move(row));
+  }
+  return number_table(head(runs, "In brackets: from the first run"), rows);
+}
+
+std::string setting_table(const Runs& runs, const std::vector<ComparedSetting>& settings) {
+  if (settings.empty()) return paragraph("The scenes are the same.");
+  std::vector<std::vector<std::string>> rows;
+  for (const ComparedSetting& setting : settings) {
+    rows.push_back({setting.key});
+    for (const std::string& value : setting.values) rows.back().push_back(value.empty() ? "–" : value);
+  }
+  return number_table(head(runs, "Setting"), rows);
+}
+
+}  // namespace
+
+std::string comparison_html(const Runs& runs, const std::vector<ComparedSetting>& settings) {
+  const std::string title = "Comparison of " + std::to_string(runs.size()) + " runs";
+  const StrainUnit unit = common_unit(runs);
+  const Chart chart = curves(runs, unit);
+  const std::string caption = "Positive in the direction in which each specimen was loaded.";
+  const nlohmann::ordered_json data = {{"strain", {{"name", unit.name}, {"per_strain", unit.per_strain}}},
+                                       {"csv", nullptr},
+                                       {"charts", {{"stress", chart_json(chart)}}},
+                                       {"film", nullptr}};
+  return live_page(title,
+                   heading(title, "mesopix " + version()) +
+                       section("Stress and strain", chart_figure("stress", chart, 900, 480, caption)) +
+                       section("Key figures", figure_table(runs, unit)) +
+                       section("What sets the scenes apart", setting_table(runs, settings)),
+                   inert_text(data));
+}
+
+}  // namespace output

@@ -1,0 +1,26 @@
+/// What loads the specimen, and what stress and strain mean with it, in words.
+#pragma once
+
+#include <string>
+
+#include "libmpm/scene/scene.hpp"
+
+namespace output {
+
+[[nodiscard]] bool has_platens(const mpm::Scene& scene);
+
+/// "tension", "compression"; without platens "impact" where there is a wall, else "flight".
+[[nodiscard]] std::string name_of_loading(const mpm::Scene& scene);
+
+/// "compression at 0.2 m/s, smooth platens", "impact at 20 m/s, smooth wall at the bottom".
+[[nodiscard]] std::string setting_of_loading(const mpm::Scene& scene);
+
+[[nodiscard]] std::string name_of_strain(const mpm::Scene& scene);    ///< "platen strain", "nominal strain"
+[[nodiscard]] std::string name_of_stress(const mpm::Scene& scene);    ///< "stress", "stress on the walls"
+[[nodiscard]] std::string meaning_of_curve(const mpm::Scene& scene);  ///< what both are, in a sentence or two
+[[nodiscard]] std::string meaning_of_energy(const mpm::Scene& scene);  ///< where the energy goes
+
+/// "small strain", "moving points (GIMP, MUSL, FLIP)".
+[[nodiscard]] std::string name_of_kinematics(const mpm::Scene& scene);
+
+}  // namespace output

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/drawing/damage_picture.hpp"
+#include "apps/drawing/damage_stages.hpp"
+#include "apps/drawing/deformed_picture.hpp"
+#include "apps/text/html.hpp"
+#include "apps/drawing/picture_scale.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/report/report_sections.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/drawing/strain_unit.hpp"
+#include "apps/text/text.hpp"
+
+namespace output {
+namespace {
+
+/// One of the two looks of the pictures, which the reader chooses between without any script.
+struct Look {
+  const char* css_class;
+  Palette palette;
+};
+
+bool holds(const specimen::LabelledMask& mask, std::size_t label) {
+  const auto value = static_cast<std::uint8_t>(label);
+  return std::find(mask.labels.data.begin(), mask.labels.data.end(), value) != mask.labels.data.end();
+}
+
+std::string legend(const specimen::LabelledMask& mask, const Look& look) {
+  std::string html = fmt::format("<p class=\"legend {}\">\n", look.css_class);
+  html += swatch(look.palette.tension, "failed in tension") + swatch(look.palette.shear, "failed in shear");
+  for (std::size_t label = 0; label < mask.phases.size(); ++label)
+    if (holds(mask, label)) html += swatch(look.palette.phases[label], phase_word(mask.phases[label]));
+  return html + "</p>\n";
+}
+
+std::string figure(const RunRecord& record, const DamageStage& stage, const std::vector<Look>& looks) {
+  const std::string share = fmt::format("{} % of the peak strain", stage.percent);
+  std::string html = "<figure>\n";
+  for (const Look& look : looks)
+    html += image(damage_picture(record.specimen.mask, record.result, stage.strain, look.palette),
+                  "Damage at " + share, look.css_class);
+  const StrainUnit unit = strain_unit(record.result);
+  return html + fmt::format(
+                    "<figcaption><b>{}</b><br/>{} {}<br/>{} failed in tension, {} in shear"
+                    "</figcaption>\n</figure>\n",
+                    escape(share), rounded(unit.per_strain * stage.strain), unit.name, grouped(stage.tension),
+                    grouped(stage.shear));
+}
+
+/// Where the points are at the end, for runs in which they move.
+std::string end_figure(const RunRecord& record, const std::vector<Look>& looks) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  const int fineness = file_magnification(mask.labels.rows, mask.labels.cols);
+  std::string html = "<figure>\n";
+  for (const Look& look : looks)
+    html += image(deformed_picture(mask, record.result, look.palette, fineness), "The specimen at the end",
+                  look.css_class);
+  return html + fmt::format(
+                    "<figcaption><b>At the end</b>, true to scale<br/>{} failed in tension, {} in shear"
+                    "</figcaption>\n</figure>\n",
+                    grouped(record.result.tension_failures), grouped(record.result.shear_failures));
+}
+
+/// What the pictures do not show.
+std::string remarks(const RunRecord& record, const DamageStages& stages) {
+  std::string html;
+  const std::string missing = missing_note(stages);
+  if (!missing.empty()) html += paragraph(missing);
+  if (!record.scene.extra_points.empty())
+    html +=
+        paragraph("Extra ITZ points have no pixel: the pictures and the counts below them leave them out.");
+  if (record.result.crush_strain.size() > 0)
+    html += paragraph(
+        "A point that cracked and was crushed later is drawn as failed in shear and counts in both.");
+  return html;
+}
+
+}  // namespace
+
+std::string damage_section(const RunRecord& record) {
+  const DamageStages stages = damage_stages(record.result);
+  const bool shows_end = has_end(record.result);
+  if (stages.drawn.empty() && !shows_end) return section("Damage", paragraph(missing_note(stages)));
+  const std::vector<Look> looks{{"in-colour", colour_palette()}, {"in-grey", grey_palette()}};
+  std::string html =
+      "<input class=\"choice\" type=\"radio\" name=\"look\" id=\"in-colour\" checked=\"checked\"/>"
+      "<label for=\"in-colour\">Colours</label>\n"
+      "<input class=\"choice\" type=\"radio\" name=\"look\" id=\"in-grey\"/>"
+      "<label for=\"in-grey\">Greys</label>\n";
+  for (const Look& look : looks) html += legend(record.specimen.mask, look);
+  html += "<div class=\"pictures\">\n";
+  for (const DamageStage& stage : stages.drawn) html += figure(record, stage, looks);
+  if (shows_end) html += end_figure(record, looks);
+  return section("Damage", html + "</div>\n<div class=\"remarks\">\n" + remarks(record, stages) + "</div>\n");
+}
+
+}  // namespace output

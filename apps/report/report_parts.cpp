@@ -1,0 +1,163 @@
+#include "apps/report/report_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/drawing/chart_layout.hpp"
+#include "apps/drawing/drawing_svg.hpp"
+#include "apps/text/html.hpp"
+#include "apps/report/page_files.hpp"
+#include "apps/drawing/picture_scale.hpp"
+#include "apps/drawing/png.hpp"
+#include "apps/report/report_style.hpp"
+#include "specimen/body/digest.hpp"
+
+namespace output {
+namespace {
+
+constexpr int shown_pixels = 360;     ///< a picture's largest width on the page
+constexpr int embedded_pixels = 900;  ///< a picture's largest side in the file
+
+std::string page_of(const std::string& title, const std::string& policy, const std::string& style,
+                    const std::string& html) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n"
+      "<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</body>\n</html>\n",
+      policy, escape(title), style, html);
+}
+
+/// The page asks for nothing outside itself.
+constexpr const char* no_network = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+
+/// A script as the browser runs it and as an XML parser passes over it.
+std::string script_text(std::string_view body) { return fmt::format("/*<![CDATA[*/\n{}\n/*]]>*/", body); }
+
+/// "'sha256-...'": the name by which a policy knows a script.
+std::string digest_of(const std::string& script) {
+  const std::string digest = specimen::sha256_of_text(script);
+  std::string bytes;
+  for (std::size_t i = 0; i < digest.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digest.substr(i, 2), nullptr, 16));
+  return "'sha256-" + base64(bytes) + "'";
+}
+
+/// @param more  a script that follows that of reports; may be empty.
+std::string scripted_page(const std::string& title, const std::string& policy, const std::string& html,
+                          const std::string& data, std::string_view more) {
+  const std::string script = script_text(
+      fmt::format("{}\nconst gifenc = (() => {{\nconst exports = {{}};\n{}\nreturn exports;\n}})();\n{}{}",
+                  chart_library(), animation_library(), report_script(), more));
+  return page_of(
+      title, fmt::format("{}; script-src {}", policy, digest_of(script)),
+      report_style() + std::string(chart_style()) + "\n",
+      fmt::format(
+          "{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n", html,
+          data, script));
+}
+
+}  // namespace
+
+std::string page(const std::string& title, const std::string& html) {
+  return page_of(title, no_network, report_style(), html + "</main>\n");
+}
+
+std::string live_page(const std::string& title, const std::string& html, const std::string& data) {
+  return scripted_page(title, no_network, html, data, "");
+}
+
+std::string watching_page(const std::string& title, const std::string& html, const std::string& data) {
+  return scripted_page(title, fmt::format("{}; connect-src 'self'", no_network), html, data,
+                       watching_script());
+}
+
+std::string part(const std::string& id, const std::string& html) {
+  return fmt::format("<div id=\"part-{}\">\n{}</div>\n", id, html);
+}
+
+std::string heading(const std::string& title, const std::string& setting) {
+  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n</header>\n", escape(title),
+                     escape(setting));
+}
+
+std::string section(const std::string& heading, const std::string& html) {
+  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", escape(heading), html);
+}
+
+std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n", escape(text)); }
+
+std::string side_by_side(const std::string& css_class, const std::string& left_html,
+                         const std::string& right_html) {
+  return fmt::format("<div class=\"pair {}\">\n<div>\n{}</div>\n<div>\n{}</div>\n</div>\n", css_class,
+                     left_html, right_html);
+}
+
+std::string facts_table(const std::vector<Fact>& facts) {
+  std::string html = "<table class=\"facts\">\n<tbody>\n";
+  for (const Fact& fact : facts)
+    html += fact.unit.empty()
+                ? fmt::format("<tr class=\"words\"><th scope=\"row\">{}</th><td colspan=\"2\">{}</td></tr>\n",
+                              escape(fact.name), escape(fact.value))
+                : fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"unit\">{}</td></tr>\n",
+                              escape(fact.name), escape(fact.value), escape(fact.unit));
+  return html + "</tbody>\n</table>\n";
+}
+
+std::string number_table(const std::vector<std::string>& head,
+                         const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<div class=\"scroll\">\n<table class=\"numbers\">\n<thead><tr>";
+  for (const std::string& name : head) html += fmt::format("<th scope=\"col\">{}</th>", escape(name));
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : rows) {
+    html += fmt::format("<tr><th scope=\"row\">{}</th>", escape(row.front()));
+    for (std::size_t i = 1; i < row.size(); ++i) html += fmt::format("<td>{}</td>", escape(row[i]));
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n</div>\n";
+}
+
+std::string chart_figure(const std::string& id, const Chart& chart, double width, double height,
+                         const std::string& caption) {
+  const std::string live = id.empty() ? "" : fmt::format("<div class=\"live\" id=\"chart-{}\"></div>\n", id);
+  return fmt::format(
+      "<figure class=\"chart\">\n{}<div class=\"wide\">\n{}</div>\n<div class=\"narrow\">\n{}</div>\n"
+      "<figcaption>{}</figcaption>\n</figure>\n",
+      live, svg_of(lay_out(chart, width, height)), svg_of(lay_out(chart, 350, 300)), escape(caption));
+}
+
+std::string chart_figure(const Chart& chart, double width, double height, const std::string& caption) {
+  return chart_figure("", chart, width, height, caption);
+}
+
+std::string chart_place(const std::string& id, const std::string& caption) {
+  return fmt::format(
+      "<figure class=\"chart\" hidden=\"hidden\">\n<div class=\"live\" id=\"chart-{}\"></div>\n"
+      "<figcaption>{}</figcaption>\n</figure>\n",
+      id, escape(caption));
+}
+
+std::string image(const specimen::Raster<specimen::Rgb>& picture, const std::string& alternative,
+                  const std::string& css_class) {
+  const auto embedded = shrunk(picture, shrink_factor(picture.rows, picture.cols, embedded_pixels));
+  const bool is_small = embedded.cols <= shown_pixels;
+  const int width = is_small ? shown_pixels / embedded.cols * embedded.cols : shown_pixels;
+  const int height = std::max(1, width * embedded.rows / embedded.cols);
+  return fmt::format("<img class=\"{}{}\" width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\"/>\n", css_class,
+                     is_small ? " pixels" : "", width, height, escape(alternative),
+                     png_address(png_of(embedded)));
+}
+
+std::string swatch(specimen::Rgb colour, const std::string& name) {
+  return fmt::format("<span class=\"swatch\"><i style=\"background:{}\"></i>{}</span>\n", hex(colour),
+                     escape(name));
+}
+
+std::string folded(const std::string& heading, const std::string& text) {
+  return fmt::format("<details>\n<summary>{}</summary>\n<pre>{}</pre>\n</details>\n", escape(heading),
+                     escape(text));
+}
+
+}  // namespace output

@@ -1,0 +1,32 @@
+/// The sections of the report, in the order of the page. Each returns HTML.
+#pragma once
+
+#include <string>
+
+#include "apps/run/run_folder.hpp"
+
+namespace output {
+
+[[nodiscard]] std::string header_html(const RunRecord& record);    ///< title, setting
+[[nodiscard]] std::string notes_section(const RunRecord& record);  ///< what was guessed or cut short
+[[nodiscard]] std::string curve_section(const RunRecord& record);  ///< stress chart and key figures
+[[nodiscard]] std::string error_section(
+    const RunRecord& record);  ///< how wrong the peak may be; empty for none
+[[nodiscard]] std::string film_section(
+    const RunRecord& record);  ///< the damage over strain, for the script; empty for none
+[[nodiscard]] std::string damage_section(const RunRecord& record);  ///< pictures at shares of the peak strain
+[[nodiscard]] std::string specimen_section(const RunRecord& record);  ///< preview and statistics
+[[nodiscard]] std::string ledger_section(const RunRecord& record);    ///< energies, failures, their table
+[[nodiscard]] std::string solution_section(const RunRecord& record);  ///< how it was computed, from what
+[[nodiscard]] std::string scene_section(const RunRecord& record);
+[[nodiscard]] std::string citation_section(const RunRecord& record);
+
+/// The user's title, or one made from the setting.
+/// What changes in them while a run goes on: the parts of that name.
+[[nodiscard]] std::string facts_part(const RunRecord& record);     ///< of curve_section
+[[nodiscard]] std::string failures_part(const RunRecord& record);  ///< of ledger_section
+[[nodiscard]] std::string solution_part(const RunRecord& record);  ///< of solution_section
+
+[[nodiscard]] std::string title_of(const RunRecord& record);
+
+}  // namespace output

@@ -1,0 +1,171 @@
+#include "apps/report/run_charts.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "apps/report/load_words.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/drawing/strain_unit.hpp"
+#include "apps/text/text.hpp"
+
+namespace output {
+namespace {
+
+using mpm::HistoryRow;
+
+template <class Value>
+std::vector<double> column(const std::vector<HistoryRow>& history, Value value) {
+  std::vector<double> values(history.size());
+  std::transform(history.begin(), history.end(), values.begin(), value);
+  return values;
+}
+
+Axis strain_axis(const RunRecord& record) {
+  return {capitalised(name_of_strain(record.scene)), strain_unit(record.result).name};
+}
+
+template <class Value>
+Series against_strain(const RunRecord& record, const std::string& name, Ink ink, Value value,
+                      bool dashed = false) {
+  const auto& history = record.result.history;
+  const double per_strain = strain_unit(record.result).per_strain;
+  return {name, column(history, [per_strain](const HistoryRow& row) { return per_strain * row.strain; }),
+          column(history, value), ink, dashed};
+}
+
+/// Strains [-] at which the points of a phase failed, rising.
+struct PhaseStrains {
+  std::vector<double> tension, shear;
+};
+struct FailureStrains {
+  std::vector<PhaseStrains> by_label;
+  std::vector<double> extra;  ///< of the extra points, in both modes
+};
+FailureStrains failure_strains(const RunRecord& record) {
+  FailureStrains strains;
+  const mpm::Result& result = record.result;
+  const auto& labels = record.specimen.mask.labels.data;
+  strains.by_label.resize(record.specimen.mask.phases.size());
+  for (Eigen::Index pixel = 0; pixel < result.failure_strain.size(); ++pixel) {
+    PhaseStrains& phase = strains.by_label[labels[static_cast<std::size_t>(pixel)]];
+    const auto mode = static_cast<mpm::FailureMode>(result.failure_mode.data()[pixel]);
+    if (mode == mpm::FailureMode::none) continue;
+    (mode == mpm::FailureMode::tension ? phase.tension : phase.shear)
+        .push_back(static_cast<double>(result.failure_strain.data()[pixel]));
+  }
+  for (std::size_t i = 0; i < result.extra_failure_mode.size(); ++i)
+    if (result.extra_failure_mode[i] != 0)
+      strains.extra.push_back(static_cast<double>(result.extra_failure_strain[i]));
+  for (PhaseStrains& phase : strains.by_label)
+    for (auto* list : {&phase.tension, &phase.shear}) std::sort(list->begin(), list->end());
+  std::sort(strains.extra.begin(), strains.extra.end());
+  return strains;
+}
+
+/// How many of the strains, which rise, are reached at each row of the history.
+Series so_far(const RunRecord& record, const std::string& name, Ink ink, const std::vector<double>& strains,
+              bool dashed = false) {
+  return against_strain(
+      record, name, ink,
+      [&](const HistoryRow& row) {
+        // The maps hold strains in 32 bits.
+        const auto reached = static_cast<double>(static_cast<float>(row.strain));
+        return static_cast<double>(std::upper_bound(strains.begin(), strains.end(), reached) -
+                                   strains.begin());
+      },
+      dashed);
+}
+
+std::string peak_text(const mpm::Result& result, const StrainUnit& unit) {
+  return "peak " + rounded(1e-6 * result.peak_stress) + " MPa at " +
+         rounded(unit.per_strain * result.peak_strain) + " " + unit.name;
+}
+
+}  // namespace
+
+Chart stress_chart(const RunRecord& record) {
+  const mpm::Result& result = record.result;
+  const StrainUnit unit = strain_unit(result);
+  Chart chart{"Stress against strain in " + name_of_loading(record.scene),
+              strain_axis(record),
+              {capitalised(name_of_stress(record.scene)), "MPa"},
+              {},
+              {}};
+  chart.series.push_back(
+      against_strain(record, "stress", Ink::first, [](const HistoryRow& row) { return 1e-6 * row.stress; }));
+  if (result.peak_stress > 0)
+    chart.markers.push_back(
+        {unit.per_strain * result.peak_strain, 1e-6 * result.peak_stress, peak_text(result, unit)});
+  return chart;
+}
+
+Chart energy_chart(const RunRecord& record) {
+  Chart chart{
+      "Energies against strain", strain_axis(record), {"Energy per metre of thickness", "J/m"}, {}, {}};
+  const auto add = [&](const std::string& name, Ink ink, double HistoryRow::*member) {
+    chart.series.push_back(
+        against_strain(record, name, ink, [member](const HistoryRow& row) { return row.*member; }));
+  };
+  const auto& history = record.result.history;
+  const double at_start = history.empty() ? 0 : history.front().kinetic;
+  chart.series.push_back(against_strain(
+      record, has_platens(record.scene) ? "work put in" : "at the start", Ink::text,
+      [at_start](const HistoryRow& row) { return at_start + row.platen_work; }, true));
+  add("elastic", Ink::first, &HistoryRow::elastic);
+  add("released", Ink::second, &HistoryRow::released);
+  add("kinetic", Ink::third, &HistoryRow::kinetic);
+  if (record.scene.local_damping > 0) add("damped", Ink::fourth, &HistoryRow::damped);
+  if (!history.empty() && history.back().left_points > 0) add("left", Ink::fifth, &HistoryRow::left);
+  return chart;
+}
+
+Chart failure_chart(const RunRecord& record) {
+  Chart chart{"Failed points against strain", strain_axis(record), {"Failed points", ""}, {}, {}};
+  const FailureStrains strains = failure_strains(record);
+  const Ink inks[] = {Ink::first, Ink::second, Ink::third, Ink::fourth, Ink::fifth};
+  std::size_t ink = 0;
+  for (std::size_t label = 0; label < strains.by_label.size(); ++label) {
+    const auto& [tension, shear] = strains.by_label[label];
+    if (tension.empty() && shear.empty()) continue;
+    const std::string phase = phase_word(record.specimen.mask.phases[label]);
+    if (!tension.empty()) chart.series.push_back(so_far(record, phase + " in tension", inks[ink], tension));
+    if (!shear.empty()) chart.series.push_back(so_far(record, phase + " in shear", inks[ink], shear, true));
+    ink = (ink + 1) % std::size(inks);
+  }
+  if (!strains.extra.empty())
+    chart.series.push_back(so_far(record, "extra points", Ink::muted, strains.extra));
+  return chart;
+}
+
+Chart failure_strain_chart(const RunRecord& record) {
+  constexpr int classes = 60;
+  const StrainUnit unit = strain_unit(record.result);
+  Chart chart{"Strain at failure", strain_axis(record), {"Pixels that failed", ""}, {}, {}};
+  const double end = record.result.history.empty() ? 0 : record.result.history.back().strain;
+  if (!(end > 0)) return chart;
+  const FailureStrains strains = failure_strains(record);
+  const auto add = [&](const std::string& name, Ink ink, auto mode) {
+    std::vector<double> counts(classes, 0.0);
+    bool any = false;
+    for (const auto& phase : strains.by_label)
+      for (const double strain : phase.*mode) {
+        ++counts[static_cast<std::size_t>(
+            std::clamp(static_cast<int>(classes * strain / end), 0, classes - 1))];
+        any = true;
+      }
+    if (!any) return;
+    Series series{name, {}, {}, ink};
+    for (int i = 0; i < classes; ++i)
+      for (const int edge : {i, i + 1}) {  // the outline of a bar
+        series.x.push_back(unit.per_strain * end * edge / classes);
+        series.y.push_back(counts[static_cast<std::size_t>(i)]);
+      }
+    chart.series.push_back(std::move(series));
+  };
+  add("in tension", Ink::first, &PhaseStrains::tension);
+  add("in shear", Ink::second, &PhaseStrains::shear);
+  return chart;
+}
+
+}  // namespace output

@@ -1,0 +1,134 @@
+#include <nlohmann/json.hpp>
+
+#include "apps/drawing/damage_stages.hpp"
+#include "apps/drawing/deformed_picture.hpp"
+#include "apps/report/failure_table.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/run/run_folder.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+json failures_of(const RunRecord& record) {
+  json rows = json::array();
+  const auto add = [&](const output::FailureCount& count) {
+    rows.push_back({{"phase", count.phase},
+                    {"points", count.points},
+                    {"tension", count.tension},
+                    {"shear", count.shear},
+                    {"crushed", count.crushed}});
+  };
+  const std::vector<output::FailureCount> by_phase = output::failures_by_phase(record);
+  for (const output::FailureCount& count : by_phase) add(count);
+  if (!record.scene.extra_points.empty()) add(output::failures_of_extra_points(record, by_phase));
+  return rows;
+}
+
+json pictures_of(const mpm::Result& result) {
+  json pictures = json::array();
+  for (const output::DamageStage& stage : output::damage_stages(result).drawn)
+    pictures.push_back({{"file", output::picture_name(stage.percent, false)},
+                        {"colour_file", output::picture_name(stage.percent, true)},
+                        {"percent_of_peak_strain", stage.percent},
+                        {"strain", stage.strain},
+                        {"tension_failures", stage.tension},
+                        {"shear_failures", stage.shear}});
+  return pictures;
+}
+
+json specimen_of(const specimen::Specimen& specimen) {
+  json fractions = json::object();
+  for (const auto& [phase, share] : output::phase_shares(specimen.mask)) fractions[phase] = share;
+  return {{"rows", specimen.mask.labels.rows},
+          {"cols", specimen.mask.labels.cols},
+          {"pixel_size_m", specimen.mask.pixel_size},
+          {"width_m", specimen.mask.width()},
+          {"height_m", specimen.mask.height()},
+          {"inclusions", specimen.inclusions.size()},
+          {"phase_fractions", fractions},
+          {"source", specimen.provenance.source},
+          {"source_sha256", specimen.provenance.sha256},
+          {"seed", specimen.provenance.seed}};
+}
+
+/// Between platens, or in flight.
+json loading_of(const mpm::Loading& loading) {
+  if (loading.direction == mpm::Direction::none)
+    return {{"direction", output::word_of(loading.direction)},
+            {"initial_velocity_x_m_per_s", loading.initial_velocity_x},
+            {"initial_velocity_y_m_per_s", loading.initial_velocity_y}};
+  return {{"direction", output::word_of(loading.direction)},
+          {"platen", output::word_of(loading.platen)},
+          {"separation", loading.separation},
+          {"velocity_m_per_s", loading.velocity}};
+}
+
+json setting_of(const mpm::Scene& scene) {
+  return {{"kinematics", output::word_of(scene.kinematics)},
+          {"plane", output::word_of(scene.plane)},
+          {"seed", scene.damage.seed},
+          {"crack_closure", output::word_of(scene.damage.crack_closure)},
+          {"precision", output::word_of(scene.precision)}};
+}
+
+json figures_of(const mpm::Result& result) {
+  const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
+  return {{"peak_stress_Pa", result.peak_stress},
+          {"peak_strain", result.peak_strain},
+          {"secant_modulus_Pa", output::secant_modulus(result)},
+          {"end_strain", end.strain},
+          {"end_stress_Pa", end.stress},
+          {"end_time_s", end.time},
+          {"moving_points", end.moving_points},
+          {"left_points", end.left_points},
+          {"tension_failures", result.tension_failures},
+          {"shear_failures", result.shear_failures},
+          {"points", result.points},
+          {"steps", result.steps},
+          {"dt_s", result.dt},
+          {"wall_s", result.wall_time},
+          {"point_updates_per_s", result.point_updates_per_second()},
+          {"energy_error", result.energy_error},
+          {"instruction_set", result.instruction_set},
+          {"threads", result.threads},
+          {"nothing_carries", result.nothing_carries},
+          {"stop_reason", output::word_of(result.stop)}};
+}
+
+json estimate_of(const output::ErrorEstimate& estimate) {
+  json all{{"peak_stress_error", estimate.stress_error()},
+           {"peak_strain_error", estimate.strain_error()},
+           {"wall_s", estimate.wall_time()},
+           {"sources", json::array()}};
+  for (const output::ErrorSource& source : estimate.sources)
+    all["sources"].push_back({{"name", source.name},
+                              {"compared_with", source.compared},
+                              {"peak_stress_Pa", source.peak_stress},
+                              {"peak_strain", source.peak_strain},
+                              {"peak_stress_error", source.stress_error},
+                              {"peak_strain_error", source.strain_error},
+                              {"wall_s", source.wall_time}});
+  return all;
+}
+
+}  // namespace
+
+json summary(const RunRecord& record) {
+  json all = figures_of(record.result);
+  all.update(setting_of(record.scene));
+  all.update(loading_of(record.scene.loading));
+  all["specimen"] = specimen_of(record.specimen);
+  all["failures_by_phase"] = failures_of(record);
+  all["damage_pictures"] = pictures_of(record.result);
+  if (output::has_end(record.result))
+    all["end_picture"] = {{"file", output::deformed_name(false)},
+                          {"colour_file", output::deformed_name(true)}};
+  if (!record.error_estimate.sources.empty()) all["error_estimate"] = estimate_of(record.error_estimate);
+  all["notes"] = output::all_notes(record);
+  all["title"] = record.title;
+  all["scene_hash"] = record.scene_hash;
+  all["version"] = output::version();
+  return all;
+}

@@ -1,0 +1,289 @@
+#include "apps/run/error_estimation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "apps/text/text.hpp"
+#include "libmpm/solver/plan.hpp"
+
+namespace app {
+namespace {
+
+using output::ErrorEstimate;
+using output::ErrorSource;
+
+constexpr double margin = 1.25;    ///< for an order that is not quite the first
+constexpr double past_peak = 1.3;  ///< times the strain at the peak: where a second run may end
+
+/// Ends once the peak is passed for certain.
+mpm::Scene up_to_the_peak(mpm::Scene scene, double peak_strain) {
+  scene.loading.stop_strain = std::min(scene.loading.stop_strain, past_peak * peak_strain);
+  return scene;
+}
+
+double change(double value, double other) { return value == 0 ? 0 : std::abs(other / value - 1); }
+
+/// @param share  of the change that is the error of `base`, before the margin.
+ErrorSource source_of(const std::string& name, const std::string& compared, double share,
+                      const mpm::Result& base, const mpm::Result& other) {
+  return {name,
+          compared,
+          other.peak_stress,
+          other.peak_strain,
+          margin * share * change(base.peak_stress, other.peak_stress),
+          margin * share * change(base.peak_strain, other.peak_strain),
+          other.wall_time};
+}
+
+mpm::Scene slower(mpm::Scene scene) {
+  scene.loading.velocity *= 0.5;
+  return scene;
+}
+mpm::Scene with_half_the_step(mpm::Scene scene) {
+  scene.cfl *= 0.5;
+  return scene;
+}
+mpm::Scene in_other_precision(mpm::Scene scene) {
+  scene.precision =
+      scene.precision == mpm::Precision::single ? mpm::Precision::double_ : mpm::Precision::single;
+  return scene;
+}
+
+std::string velocity_text(const mpm::Scene& scene) {
+  return output::trimmed(scene.loading.velocity, 4) + " m/s";
+}
+std::string cfl_text(const mpm::Scene& scene) { return "CFL " + output::trimmed(scene.cfl, 4); }
+std::string precision_text(const mpm::Scene& scene) {
+  return scene.precision == mpm::Precision::single ? "single" : "double";
+}
+std::string pixel_text(const mpm::Scene& scene) { return output::trimmed(1e3 * scene.pixel_size, 4) + " mm"; }
+
+/// The label that most of four pixels have.
+std::uint8_t majority(const std::array<std::uint8_t, 4>& labels) {
+  std::uint8_t best = labels[0];
+  std::ptrdiff_t most = 0;
+  for (const std::uint8_t label : labels) {
+    const auto count = std::count(labels.begin(), labels.end(), label);
+    if (count <= most) continue;
+    most = count;
+    best = label;
+  }
+  return best;
+}
+
+/// Whether pixels twice as large leave cells to compute with.
+bool can_coarsen(const mpm::Scene& scene) {
+  const int least = 8 * scene.points_per_cell;
+  return scene.labels.rows() >= least && scene.labels.cols() >= least;
+}
+
+/// A run on the way to a tolerance.
+struct Candidate {
+  mpm::Scene scene;
+  mpm::Result result;
+};
+
+/// Runs that lead to a tolerance, and what they took.
+class Search {
+ public:
+  Search(const mpm::Scene& scene, const Solve& solve) : scene_(scene), solve_(solve) {}
+
+  Candidate take(const mpm::Scene& scene) {
+    Candidate candidate{scene, solve_(peak_strain_ > 0 ? up_to_the_peak(scene, 1.2 * peak_strain_) : scene)};
+    wall_time_ += candidate.result.wall_time;
+    peak_strain_ = candidate.result.peak_strain;
+    return candidate;
+  }
+  [[nodiscard]] double wall_time() const { return wall_time_; }
+
+  /// Fast, but slow enough for eight transits of the wave.
+  [[nodiscard]] mpm::Scene fastest() const {
+    mpm::Scene scene = scene_;
+    scene.loading.velocity = scene.loading.stop_strain * mpm::plan(scene).wave_speed / 8;
+    scene.cfl = 0.9;
+    scene.precision = mpm::Precision::single;
+    return scene;
+  }
+
+ private:
+  const mpm::Scene& scene_;
+  const Solve& solve_;
+  double peak_strain_ = 0, wall_time_ = 0;
+};
+
+/// A choice that may be refined, and how its error follows from what that changes.
+struct Refinement {
+  std::string name;
+  mpm::Scene (*refine)(mpm::Scene);
+  std::string (*text)(const mpm::Scene&);
+  double before, after;  ///< share of the change that is the error of the coarser run, and of the finer one
+  int most;              ///< times
+};
+
+/// The better of two, and what is left of the error in it.
+struct Settled {
+  Candidate candidate;
+  ErrorSource source;
+};
+
+/// Refines while that changes the peak by more than `limit`, but not once the changes do not fall any more:
+/// then they are the scatter from the order of failures.
+Settled settle(Search& search, Candidate coarse, const Refinement& by, double limit) {
+  double last = 1;
+  for (int times = 1;; ++times) {
+    Candidate fine = search.take(by.refine(coarse.scene));
+    const ErrorSource before = source_of(by.name, by.text(fine.scene), by.before, coarse.result, fine.result);
+    if (before.stress_error <= limit) return {std::move(coarse), before};
+    const ErrorSource after = source_of(by.name, by.text(coarse.scene), by.after, fine.result, coarse.result);
+    if (times == by.most || after.stress_error <= limit || before.stress_error > 0.7 * last)
+      return {std::move(fine), after};
+    last = before.stress_error;
+    coarse = std::move(fine);
+  }
+}
+
+/// What a quantity of a test comes to at rest, and by how much that may be wrong: a straight line through
+/// runs at rates of 4, 2 and 1, by least squares, and its standard error there. A run scatters about the
+/// line, for its rate also changes the order in which points fail.
+struct AtRest {
+  double value, deviation;
+};
+AtRest at_rest(double fast, double middle, double slow) {
+  const double slope = (5 * fast - middle - 4 * slow) / 14;  // per rate of 1
+  const double value = (fast + middle + slow) / 3 - slope * 7 / 3;
+  const double residuals =
+      std::hypot(fast - value - 4 * slope, middle - value - 2 * slope, slow - value - slope);
+  return {value, std::sqrt(1.5) * residuals};  // one degree of freedom is left
+}
+
+/// Error of one of three runs at rates of 4, 2 and 1.
+ErrorSource rate_source(const mpm::Result& of, const mpm::Result& fast, const mpm::Result& middle,
+                        const mpm::Result& slow) {
+  const auto error = [&](double mpm::Result::*quantity) {
+    const AtRest rest = at_rest(fast.*quantity, middle.*quantity, slow.*quantity);
+    return of.*quantity == 0 ? 0
+                             : margin * (std::abs(of.*quantity - rest.value) + rest.deviation) / of.*quantity;
+  };
+  ErrorSource source;
+  source.name = "loading rate";
+  source.stress_error = error(&mpm::Result::peak_stress);
+  source.strain_error = error(&mpm::Result::peak_strain);
+  return source;
+}
+
+/// Runs at rates that are halved from one to the next, of which the last three tell the error.
+class RateLadder {
+ public:
+  void add(const Candidate& candidate) {
+    rungs_.push_back({candidate.scene, candidate.result});
+    rungs_.back().result.history.clear();
+  }
+  [[nodiscard]] std::size_t rungs() const { return rungs_.size(); }
+
+  /// Of the slowest of at least two runs.
+  [[nodiscard]] ErrorSource error() const {
+    const Candidate& slowest = at(1);
+    if (rungs() < 3)
+      return source_of("loading rate", velocity_text(at(2).scene), 1, slowest.result, at(2).result);
+    ErrorSource source = rate_source(slowest.result, at(3).result, at(2).result, slowest.result);
+    source.compared = velocity_text(at(2).scene);
+    source.peak_stress = at(2).result.peak_stress;
+    source.peak_strain = at(2).result.peak_strain;
+    source.wall_time = at(2).result.wall_time;
+    return source;
+  }
+
+ private:
+  [[nodiscard]] const Candidate& at(std::size_t back) const { return rungs_[rungs_.size() - back]; }
+
+  std::vector<Candidate> rungs_;
+};
+
+constexpr std::size_t most_halvings = 7;  ///< of the loading rate
+
+/// From runs at half and at a quarter of the rate.
+ErrorSource rate_error(const mpm::Scene& scene, const mpm::Result& base, const Solve& solve) {
+  const mpm::Scene slow = slower(scene), slowest = slower(slow);
+  const mpm::Result half = solve(slow), quarter = solve(slowest);
+  ErrorSource source = rate_source(base, base, half, quarter);
+  source.compared = output::trimmed(slow.loading.velocity, 4) + ", " + velocity_text(slowest);
+  source.peak_stress = quarter.peak_stress;
+  source.peak_strain = quarter.peak_strain;
+  source.wall_time = half.wall_time + quarter.wall_time;
+  return source;
+}
+
+}  // namespace
+
+output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result& base, const Solve& solve) {
+  const mpm::Scene shorter = up_to_the_peak(scene, base.peak_strain);
+  ErrorEstimate estimate;
+  const auto add = [&](const std::string& name, const mpm::Scene& other, const std::string& compared,
+                       double share) {
+    estimate.sources.push_back(source_of(name, compared, share, base, solve(other)));
+  };
+  estimate.sources.push_back(rate_error(shorter, base, solve));
+  const mpm::Scene short_steps = with_half_the_step(shorter);
+  add("time step", short_steps, cfl_text(short_steps), 2);
+  const mpm::Scene other = in_other_precision(shorter);
+  add("precision", other, precision_text(other), 1);
+  if (can_coarsen(scene)) {
+    const mpm::Scene coarse = coarsened(shorter);
+    add("pixel size", coarse, pixel_text(coarse), 1);
+  }
+  return estimate;
+}
+
+mpm::Scene coarsened(const mpm::Scene& scene) {
+  mpm::Scene coarse = scene;
+  const auto whole = [&](Eigen::Index pixels) {
+    return pixels / (2 * scene.points_per_cell) * scene.points_per_cell;
+  };
+  coarse.pixel_size = 2 * scene.pixel_size;
+  coarse.labels.resize(whole(scene.labels.rows()), whole(scene.labels.cols()));
+  // Extra points are counted from below: what is cut off is on top.
+  const Eigen::Index cut = scene.labels.rows() - 2 * coarse.labels.rows();
+  for (Eigen::Index row = 0; row < coarse.labels.rows(); ++row)
+    for (Eigen::Index col = 0; col < coarse.labels.cols(); ++col) {
+      const auto fine = scene.labels.block<2, 2>(cut + 2 * row, 2 * col);
+      coarse.labels(row, col) = majority({fine(0, 0), fine(0, 1), fine(1, 0), fine(1, 1)});
+    }
+  std::erase_if(coarse.extra_points, [&](const mpm::ExtraPoint& point) {
+    return point.x >= coarse.width() || point.y >= coarse.height();
+  });
+  return coarse;
+}
+
+Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve) {
+  Search search(scene, solve);
+  Candidate candidate = search.take(search.fastest());
+  RateLadder ladder;
+  ladder.add(candidate);
+  Tolerated found;
+  do {
+    candidate = search.take(slower(candidate.scene));
+    ladder.add(candidate);
+    found.estimate.sources = {ladder.error()};
+  } while (ladder.rungs() < 3 ||
+           (found.estimate.stress_error() > 0.5 * tolerance && ladder.rungs() <= most_halvings));
+  const auto refine = [&](const Refinement& by) {
+    Settled settled = settle(search, std::move(candidate), by, 0.25 * tolerance);
+    candidate = std::move(settled.candidate);
+    found.estimate.sources.push_back(settled.source);
+  };
+  refine({"time step", with_half_the_step, cfl_text, 2, 1, 3});
+  refine({"precision", in_other_precision, precision_text, 1, 0, 1});
+  found.met = found.estimate.stress_error() <= tolerance;
+  found.scene = scene;
+  found.scene.loading.velocity = candidate.scene.loading.velocity;
+  found.scene.cfl = candidate.scene.cfl;
+  found.scene.precision = candidate.scene.precision;
+  found.wall_time = search.wall_time();
+  return found;
+}
+
+}  // namespace app

@@ -1,0 +1,118 @@
+#include "apps/run/run_folder.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "apps/system/attempts.hpp"
+#include "apps/drawing/chart_layout.hpp"
+#include "apps/report/curve_csv.hpp"
+#include "apps/drawing/damage_picture.hpp"
+#include "apps/drawing/damage_stages.hpp"
+#include "apps/drawing/deformed_picture.hpp"
+#include "apps/drawing/picture_scale.hpp"
+#include "apps/drawing/png.hpp"
+#include "apps/report/report.hpp"
+#include "apps/report/run_charts.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/files/replace_file.hpp"
+#include "libmpm/files/result_file.hpp"
+#include "specimen/picture/preview.hpp"
+#include "specimen/file/specimen_file.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void create_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw mpm::FileError(folder.string(), "cannot be created: " + error.message(), "",
+                         "choose a folder that may be written to");
+}
+
+void write_text(const fs::path& path, std::string_view text) { mpm::replace_file(path.string(), text); }
+
+/// Magnified by a whole factor, so that small masks can be looked at.
+void write_picture(const fs::path& path, const specimen::Raster<specimen::Rgb>& picture, double pixel_size) {
+  const int factor = output::file_magnification(picture.rows, picture.cols);
+  specimen::write_png(path.string(), output::magnified(picture, factor), pixel_size / factor);
+}
+
+/// Of an earlier run in the same folder, which may have gone farther.
+void remove_pictures(const fs::path& folder, const std::vector<int>& percents) {
+  for (const int percent : percents)
+    for (const bool colour : {false, true}) {
+      std::error_code ignored;  // there is nothing to remove in a new folder
+      fs::remove(folder / output::picture_name(percent, colour), ignored);
+    }
+}
+
+void write_damage(const fs::path& folder, const RunRecord& record, Attempts& attempt) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  const output::DamageStages stages = output::damage_stages(record.result);
+  remove_pictures(folder, stages.missing);
+  for (const bool colour : {false, true}) {
+    const output::Palette palette = colour ? output::colour_palette() : output::grey_palette();
+    for (const output::DamageStage& stage : stages.drawn)
+      attempt([&] {
+        write_picture(folder / output::picture_name(stage.percent, colour),
+                      output::damage_picture(mask, record.result, stage.strain, palette), mask.pixel_size);
+      });
+  }
+}
+
+/// As fine as the other pictures are magnified.
+void write_end(const fs::path& folder, const RunRecord& record, Attempts& attempt) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  const int fineness = output::file_magnification(mask.labels.rows, mask.labels.cols);
+  for (const bool colour : {false, true}) {
+    const fs::path path = folder / output::deformed_name(colour);
+    const output::Palette palette = colour ? output::colour_palette() : output::grey_palette();
+    std::error_code ignored;  // there is nothing to remove in a new folder
+    if (!output::has_end(record.result)) {
+      fs::remove(path, ignored);
+      continue;
+    }
+    attempt([&] {
+      specimen::write_png(path.string(), output::deformed_picture(mask, record.result, palette, fineness),
+                          mask.pixel_size / fineness);
+    });
+  }
+}
+
+/// What mesopix export has made of an earlier run in the same folder.
+void remove_maps(const fs::path& folder) {
+  for (const char* name : {"damage.tif", "failure_strain.tif"}) {
+    std::error_code ignored;  // there is nothing to remove in a new folder
+    fs::remove(folder / name, ignored);
+  }
+}
+
+}  // namespace
+
+void write_run(const fs::path& folder, const RunRecord& record) {
+  Attempts attempt;
+  attempt([&] { create_folder(folder); });
+  attempt.conclude();
+  remove_maps(folder);
+  const auto text = [&](const char* name, const auto& made) {
+    attempt([&] { write_text(folder / name, made()); });
+  };
+  attempt([&] { mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml); });
+  text("curve.csv", [&] { return output::curve_csv(record.result.history); });
+  text("summary.json",
+       [&] { return summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; });
+  text("scene.toml", [&] { return record.scene_toml; });
+  attempt([&] { specimen::write_specimen((folder / "specimen.h5").string(), record.specimen); });
+  text("report.html", [&] { return output::report_html(record); });
+  text("curve.png",
+       [&] { return output::png_of(output::lay_out(output::stress_chart(record), 608, 368), 2.5, 16); });
+  attempt([&] {
+    write_picture(folder / "specimen.png", specimen::preview(record.specimen.mask),
+                  record.specimen.mask.pixel_size);
+  });
+  write_damage(folder, record, attempt);
+  write_end(folder, record, attempt);
+  attempt.conclude();
+}

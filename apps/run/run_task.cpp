@@ -1,0 +1,214 @@
+#include "apps/run/run_task.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "apps/system/attempts.hpp"
+#include "apps/run/checkpoint_folder.hpp"
+#include "apps/run/frame_folder.hpp"
+#include "apps/system/held_folder.hpp"
+#include "apps/text/json_text.hpp"
+#include "apps/live/live_view.hpp"
+#include "apps/report/load_words.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/text/text.hpp"
+#include "apps/run/run_folder.hpp"
+#include "apps/text/shell_word.hpp"
+#include "apps/run/solving.hpp"
+#include "apps/text/strain_text.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/files/replace_file.hpp"
+#include "specimen/body/digest.hpp"
+#include "specimen/body/error.hpp"
+#include "specimen/file/specimen_file.hpp"
+
+namespace app {
+namespace {
+
+/// The checkpoints of a run on its way. A disk that is full ends no run: the next one may find room.
+class Keeper {
+ public:
+  explicit Keeper(const RunTask& task)
+      : task_(task), folder_(task.folder), remarks_(remarks_text(task.remarks)), has_scene_(task.from) {
+    folder_.remove_behind(task.from ? task.from->step : -1);
+    if (task.remarks.checkpoint_every > 0 && !has_scene_) write_scene();
+  }
+
+  void keep(const mpm::Checkpoint& checkpoint) {
+    trouble_.clear();
+    try {
+      if (!has_scene_) write_scene();
+      folder_.write(checkpoint, task_.scene_toml, remarks_);
+    } catch (const mpm::FileError& error) {
+      trouble_ = error.what();
+    } catch (const specimen::Error& error) {
+      trouble_ = error.what();
+    }
+  }
+
+  void report(double wall_time, Console& console) const {
+    if (!trouble_.empty()) console.say("warning: the last checkpoint is missing: " + trouble_);
+    if (folder_.written() > 0 && task_.remarks.checkpoint_every > 0)
+      console.say(fmt::format("{} checkpoint{} written in {:.3f} s, {:.2f} % of the run", folder_.written(),
+                              folder_.written() == 1 ? "" : "s", folder_.wall_time(),
+                              100 * folder_.wall_time() / wall_time));
+  }
+  [[nodiscard]] bool has_kept() const { return folder_.written() > 0 || task_.from; }
+  void remove() const { folder_.remove(); }
+
+ private:
+  /// With these the folder is enough to go on from.
+  void write_scene() {
+    mpm::replace_file((task_.folder / "scene.toml").string(), task_.scene_toml);
+    specimen::write_specimen((task_.folder / "specimen.h5").string(), task_.job.specimen);
+    has_scene_ = true;
+  }
+
+  const RunTask& task_;
+  CheckpointFolder folder_;
+  std::string remarks_;
+  bool has_scene_;
+  std::string trouble_;  ///< why there is no last one
+};
+
+std::string percent_text(double error) { return output::rounded(100 * error, 2) + " %"; }
+
+std::string estimate_text(const output::ErrorEstimate& estimate) {
+  std::string parts;
+  for (const output::ErrorSource& source : estimate.sources)
+    parts += (parts.empty() ? "" : ", ") + source.name + " " + percent_text(source.stress_error);
+  return fmt::format(
+      "the peak stress may be wrong by {} and its strain by {} ({}), estimated in {:.2f} s more",
+      percent_text(estimate.stress_error()), percent_text(estimate.strain_error()), parts,
+      estimate.wall_time());
+}
+
+std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {
+  const bool platens = output::has_platens(scene);
+  return fmt::format("peak {}{:.4g} MPa at {} {}, {} tension and {} shear failures, {} steps in {:.2f} s",
+                     platens ? "" : output::name_of_stress(scene) + " ", 1e-6 * result.peak_stress,
+                     platens ? "strain" : output::name_of_strain(scene), strain_text(result.peak_strain),
+                     result.tension_failures, result.shear_failures, result.steps, result.wall_time);
+}
+
+/// Notes that have come since there were `told` of them.
+void say_notes(const Job& job, std::size_t told, Console& console) {
+  for (std::size_t i = told; i < job.notes.size(); ++i) console.say("note: " + job.notes[i]);
+}
+
+void note_outcome(const Outcome& outcome, Job& job, Console& console) {
+  for (const Remark& remark : remarks_on(outcome, job.scene)) {
+    job.notes.push_back(remark.text);
+    if (*remark.kind != '\0') console.say(std::string(remark.kind) + ": " + remark.text);
+  }
+}
+
+/// A disk that is full ends no run: it may have space again for the next frame, and for what comes of it all.
+mpm::FrameSink frame_sink(FrameFolder& frames, Console& console) {
+  return [&frames, &console, warned = false](const mpm::Frame& frame) mutable {
+    if (frames.add(frame) || warned) return;
+    warned = true;
+    console.say(std::string(console.err_is_terminal ? "\n" : "") + "warning: " + frames.failure()->what() +
+                "; the run goes on");
+  };
+}
+
+/// What the disk did not take of the files that write_run() writes.
+using Lost = std::vector<mpm::FileError>;
+
+Lost write_what_fits(const std::filesystem::path& folder, const RunRecord& record) {
+  try {
+    write_run(folder, record);
+  } catch (const NotWritten& missing) {
+    return missing.files;
+  }
+  return {};
+}
+
+/// How a run ended, for those who watched it.
+std::string last_words(const Outcome& outcome, const std::filesystem::path& folder, const Lost& lost) {
+  const std::string how =
+      outcome.divergence.empty() ? output::phrase_of(outcome.result.stop) : outcome.divergence;
+  return "The run has ended: " + how + ". " +
+         (lost.empty() ? "Its report is " + (folder / "report.html").string() : lost.front().what());
+}
+
+std::string way_on(const RunTask& task) {
+  return "to go on: mesopix simulate --resume " + shell_word(task.folder.string());
+}
+
+/// @throws Rejected when the disk did not take all.
+void check_disk(std::vector<Complaint> complaints, const Lost& lost, const FrameFolder& frames) {
+  Lost all = lost;
+  if (const auto failure = frames.failure()) all.insert(all.begin(), *failure);
+  if (all.empty()) return;
+  for (const mpm::FileError& file : all)
+    complaints.push_back(complaint(file.field, file.value, file.allowed, file.cure));
+  throw Rejected(Exit::io, std::move(complaints));
+}
+
+/// @throws Rejected when the physics went wrong, or the disk.
+Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, const Lost& lost,
+             const FrameFolder& frames, Console& console) {
+  std::vector<Complaint> diverged;
+  if (!outcome.divergence.empty())
+    diverged.push_back(
+        complaint("simulate", outcome.divergence, "what was computed is in " + task.folder.string()));
+  if (!lost.empty() && keeper.has_kept()) console.say("once there is space, " + way_on(task));
+  check_disk(diverged, lost, frames);
+  if (!diverged.empty()) throw Rejected(Exit::data, std::move(diverged));
+  if (!outcome.interrupted()) return Exit::ok;
+  console.say("interrupted; what was computed is kept");
+  if (keeper.has_kept()) console.say(way_on(task));
+  return Exit::interrupted;
+}
+
+}  // namespace
+
+Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
+  const HeldFolder held(task.folder);
+  Job& job = task.job;
+  const std::string hash = specimen::sha256_of_text(task.scene_toml);
+  std::optional<LiveView> view;
+  if (task.port) {
+    view.emplace(LiveRun{job.specimen, job.scene, task.scene_toml, hash, job.settings.title, job.notes},
+                 *task.port);
+    console.err << "watch the run at " << view->address() << std::endl;
+  }
+  Keeper keeper(task);
+  FrameFolder frames(task.folder, job.scene, task.from ? task.from->frames : std::vector<mpm::FrameTaken>());
+  mpm::RunHooks hooks;
+  if (view) hooks.observer = [&](const mpm::Progress& progress) { return view->look(progress); };
+  hooks.frames = frame_sink(frames, console);
+  hooks.checkpoints = {[&](const mpm::Checkpoint& checkpoint) { keeper.keep(checkpoint); },
+                       task.remarks.checkpoint_every};
+  const Outcome outcome =
+      solve(job.scene, console, guard, std::move(hooks), task.from ? &*task.from : nullptr);
+  keeper.report(outcome.result.wall_time, console);
+  const std::size_t told = job.notes.size();
+  const output::ErrorEstimate estimate = task.remarks.estimate_error
+                                             ? estimate_of(outcome, job, second_run(console, guard))
+                                             : task.remarks.tolerated;
+  say_notes(job, told, console);
+  note_outcome(outcome, job, console);
+  const RunRecord record{job.specimen, job.scene,          outcome.result, task.scene_toml,
+                         hash,         job.settings.title, job.notes,      estimate};
+  const Lost lost = write_what_fits(task.folder, record);
+  if (view) view->finish(outcome.result, last_words(outcome, task.folder, lost));
+  if (!outcome.interrupted() && lost.empty()) keeper.remove();
+  if (task.json)
+    console.out << json_text(summary(record));
+  else
+    console.say(result_text(outcome.result, job.scene));
+  if (!estimate.sources.empty()) console.say(estimate_text(estimate));
+  if (frames.count() > 0)
+    console.say(fmt::format("{} frames for ParaView: {}", frames.count(), frames.series().string()));
+  if (lost.empty()) console.say("wrote " + task.folder.string());
+  return exit_of(outcome, task, keeper, lost, frames, console);
+}
+
+}  // namespace app

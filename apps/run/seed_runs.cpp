@@ -1,0 +1,94 @@
+#include "apps/run/seed_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/system/job_pool.hpp"
+#include "libmpm/run/simulate.hpp"
+
+namespace app {
+namespace {
+
+constexpr double dropped = 0.6;      ///< share of the peak stress below which a peak is behind
+constexpr double well_past = 1.25;   ///< strain over peak strain from which on it is behind at the latest
+constexpr double farthest = 32;      ///< times loading.stop_strain, for a peak beyond it
+constexpr double no_strain = 0.999;  ///< strains of 1 and more are none
+
+/// The same scene with room for a peak beyond its end; rows of the history lie as close as before.
+mpm::Scene with_room(mpm::Scene scene) {
+  const double factor = std::clamp(no_strain / scene.loading.stop_strain, 1.0, farthest);
+  scene.loading.stop_strain *= factor;
+  scene.history_rows = static_cast<int>(std::ceil(scene.history_rows * factor));
+  scene.loading.stop_drop = std::max(dropped, scene.loading.stop_drop.value_or(0));
+  return scene;
+}
+
+bool is_past_peak(const mpm::HistoryRow& row, double peak_strain, double stop_strain) {
+  return row.strain >= stop_strain && row.strain >= well_past * peak_strain;
+}
+
+SeedRun outcome(std::uint64_t seed, const mpm::Result& result) {
+  SeedRun run{seed, result.peak_stress, result.peak_strain, {}, {}};
+  for (const mpm::HistoryRow& row : result.history) {
+    run.strain.push_back(row.strain);
+    run.stress.push_back(row.stress);
+  }
+  return run;
+}
+
+SeedRun run_seed(const mpm::Scene& wanted, std::uint64_t seed, RunEnd end,
+                 const std::function<bool()>& stopped) {
+  mpm::Scene scene = end == RunEnd::past_peak ? with_room(wanted) : wanted;
+  scene.damage.seed = seed;
+  scene.threads = 1;
+  double peak_stress = 0;
+  double peak_strain = 0;
+  const auto goes_on = [&](const mpm::Progress& progress) {
+    const mpm::HistoryRow& row = progress.row;
+    if (row.stress > peak_stress) {
+      peak_stress = row.stress;
+      peak_strain = row.strain;
+    }
+    if (stopped()) return false;
+    return end == RunEnd::of_scene || !is_past_peak(row, peak_strain, wanted.loading.stop_strain);
+  };
+  return outcome(seed, mpm::simulate(scene, {.observer = goes_on}));
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> seeds_from(std::uint64_t first, int count) {
+  std::vector<std::uint64_t> seeds;
+  for (int i = 0; i < count; ++i) seeds.push_back(first + static_cast<std::uint64_t>(i));
+  return seeds;
+}
+
+std::optional<std::vector<SeedRun>> run_seeds(const mpm::Scene& scene,
+                                              const std::vector<std::uint64_t>& seeds, RunEnd end,
+                                              const std::function<bool()>& stopped) {
+  std::vector<SeedRun> runs(seeds.size());
+  std::vector<std::function<void()>> jobs;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    jobs.emplace_back([&, i] { runs[i] = run_seed(scene, seeds[i], end, stopped); });
+  const int workers = scene.threads > 0 ? scene.threads : core_count();
+  run_jobs(jobs, workers, {{}, [&] { return !stopped(); }});
+  if (stopped()) return std::nullopt;
+  return runs;
+}
+
+double stress_at(const SeedRun& run, double strain) {
+  const auto above = std::upper_bound(run.strain.begin(), run.strain.end(), strain);
+  if (above == run.strain.end()) return run.stress.back();
+  const auto i = static_cast<std::size_t>(above - run.strain.begin());
+  if (i == 0) return run.stress.front();
+  const double share = (strain - run.strain[i - 1]) / (run.strain[i] - run.strain[i - 1]);
+  return run.stress[i - 1] + share * (run.stress[i] - run.stress[i - 1]);
+}
+
+Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure) {
+  std::vector<double> values;
+  for (const SeedRun& run : runs) values.push_back(run.*figure);
+  return spread_of(values);
+}
+
+}  // namespace app

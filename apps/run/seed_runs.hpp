@@ -1,0 +1,49 @@
+/// Runs of one scene with several random strength fields, side by side.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "apps/statistics/statistics.hpp"
+#include "libmpm/scene/scene.hpp"
+
+namespace app {
+
+/// What came out with one seed.
+struct SeedRun {
+  std::uint64_t seed = 0;
+  double peak_stress = 0;      ///< [Pa]
+  double peak_strain = 0;      ///< [-]
+  std::vector<double> strain;  ///< of the curve, rising [-]
+  std::vector<double> stress;  ///< of the curve, same length [Pa]
+};
+
+/// When a run ends.
+enum class RunEnd {
+  of_scene,   ///< as the scene says
+  past_peak,  ///< once the stress has dropped to 60 % of its peak, wherever the peak lies; or at
+              ///< loading.stop_strain, if the peak is well before it
+};
+
+/// `count` seeds from `first` on.
+[[nodiscard]] std::vector<std::uint64_t> seeds_from(std::uint64_t first, int count);
+
+/// Run the scene once for each seed, each on one thread, as many at a time as there are cores, or
+/// Scene::threads says.
+/// @param stopped  asked at each row of the history, by every thread; true = end all runs.
+/// @return the runs in the order of their seeds; nullopt when they were stopped.
+/// @throws mpm::Error, mpm::Diverged.
+[[nodiscard]] std::optional<std::vector<SeedRun>> run_seeds(const mpm::Scene& scene,
+                                                            const std::vector<std::uint64_t>& seeds,
+                                                            RunEnd end, const std::function<bool()>& stopped);
+
+/// Stress of a run at a strain, between its rows by a straight line, beyond its last one as there [Pa].
+/// @pre the run has a curve.
+[[nodiscard]] double stress_at(const SeedRun& run, double strain);
+
+/// Of a figure from one run to another.
+[[nodiscard]] Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure);
+
+}  // namespace app

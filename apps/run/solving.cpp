@@ -1,0 +1,74 @@
+#include "apps/run/solving.hpp"
+
+#include <utility>
+
+#include "apps/run/energy_note.hpp"
+#include "apps/text/text.hpp"
+#include "apps/live/progress_line.hpp"
+#include "apps/text/strain_text.hpp"
+
+namespace app {
+
+Outcome solve(const mpm::Scene& scene, const mpm::RunHooks& hooks, const mpm::Checkpoint* from) {
+  try {
+    return {from != nullptr ? mpm::resume(scene, *from, hooks) : mpm::simulate(scene, hooks), {}};
+  } catch (const mpm::Diverged& diverged) {
+    return {diverged.result, diverged.what()};
+  }
+}
+
+Outcome solve(const mpm::Scene& scene, Console& console, const InterruptGuard& guard, mpm::RunHooks hooks,
+              const mpm::Checkpoint* from) {
+  ProgressLine line(console.err, scene, console.err_is_terminal && !console.quiet);
+  hooks.observer = [&, other = std::move(hooks.observer)](const mpm::Progress& progress) {
+    line.show(progress);
+    return (!other || other(progress)) && !guard.interrupted();
+  };
+  return solve(scene, hooks, from);
+}
+
+mpm::Result end_of_second_run(Outcome outcome) {
+  if (!outcome.divergence.empty()) throw NoEstimate{false, outcome.divergence};
+  if (outcome.interrupted()) throw NoEstimate{true, "it was interrupted"};
+  return std::move(outcome.result);
+}
+
+Solve second_run(Console& console, const InterruptGuard& guard) {
+  return [&](const mpm::Scene& scene) { return end_of_second_run(solve(scene, console, guard)); };
+}
+
+output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, const Solve& second) {
+  if (!outcome.divergence.empty() || outcome.interrupted()) return {};
+  try {
+    return estimate_error(job.scene, outcome.result, second);
+  } catch (const NoEstimate& failed) {
+    job.notes.push_back("there is no estimate of the error: " + failed.why);
+    return {};
+  }
+}
+
+void adopt(const Tolerated& found, double tolerance, Job& job) {
+  for (mpm::Scene* scene : {&job.scene, &job.settings.scene}) {
+    scene->loading.velocity = found.scene.loading.velocity;
+    scene->cfl = found.scene.cfl;
+    scene->precision = found.scene.precision;
+  }
+  if (!found.met)
+    job.notes.push_back(
+        "the tolerance of " + output::trimmed(100 * tolerance) +
+        " % was not met: where points fail, another order of failures changes the peak as much");
+}
+
+std::vector<Remark> remarks_on(const Outcome& outcome, const mpm::Scene& scene) {
+  if (!outcome.divergence.empty()) return {{outcome.divergence, ""}};
+  std::vector<Remark> remarks;
+  if (outcome.result.nothing_carries)
+    remarks.push_back({"nothing carries load any more: every point has failed; the run ended at strain " +
+                           strain_text(outcome.result.history.back().strain),
+                       "note"});
+  if (const std::string note = energy_note(outcome.result, scene); !note.empty())
+    remarks.push_back({note, scene.kinematics != mpm::Kinematics::small_strain ? "note" : "warning"});
+  return remarks;
+}
+
+}  // namespace app

@@ -1,0 +1,231 @@
+#include "apps/scene/scene_draft.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "apps/text/complaint.hpp"
+#include "apps/system/hdf5_files.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/settings/schema.hpp"
+#include "apps/text/version.hpp"
+#include "specimen/picture/picture.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A setting that the scene gives, as its file writes it.
+struct Live {
+  std::string key;
+  Value value;
+};
+using LiveSettings = std::vector<Live>;
+
+Value text_value(const char* text) { return {std::string(text)}; }
+
+/// A square of which every grain has some points, and which is solved in seconds.
+LiveSettings random_aggregates() {
+  return {{"generate.width", text_value("50 mm")},       {"generate.height", text_value("50 mm")},
+          {"generate.pixel_size", text_value("0.5 mm")}, {"generate.fraction", text_value("40 %")},
+          {"generate.d_min", text_value("4 mm")},        {"generate.d_max", text_value("12 mm")},
+          {"generate.seed", {std::int64_t{1}}}};
+}
+
+constexpr int columns_of_first_run = 200;  // of a picture: enough to see grains, few enough for seconds
+
+LiveSettings of_picture(const DraftWish& wish) {
+  const specimen::Picture picture = specimen::read_picture(wish.picture);
+  if (wish.width.empty() && !(picture.pixel_size > 0))
+    throw Rejected(Exit::data, complaint(wish.picture, "does not tell its scale", "",
+                                         "measure how wide what it shows is, and give --width \"40 mm\""));
+  LiveSettings live{{"specimen.picture", {wish.picture}}};
+  if (!wish.width.empty()) live.push_back({"convert.width", {wish.width}});
+  if (picture.cols() > columns_of_first_run)
+    live.push_back({"convert.pixels", {std::int64_t{columns_of_first_run}}});
+  return live;
+}
+
+LiveSettings of_source(const DraftWish& wish) {
+  if (!wish.picture.empty()) return of_picture(wish);
+  if (!wish.specimen.empty()) return {{"specimen.file", {wish.specimen}}};
+  return random_aggregates();
+}
+
+LiveSettings of_loading(mpm::Direction direction) {
+  switch (direction) {
+    case mpm::Direction::tension:
+      return {{"loading.direction", text_value("tension")},
+              {"loading.velocity", text_value("0.1 m/s")},
+              {"loading.stop_strain", {6e-4}},
+              {"loading.stop_drop", {0.2}}};
+    case mpm::Direction::compression:
+      return {{"loading.direction", text_value("compression")},
+              {"loading.velocity", text_value("0.5 m/s")},
+              {"loading.stop_strain", {4e-3}},
+              {"loading.stop_drop", {0.5}}};
+    case mpm::Direction::none:
+      return {
+          {"loading.direction", text_value("none")},    {"loading.initial_velocity_y", text_value("-10 m/s")},
+          {"loading.duration", text_value("0.5 ms")},   {"solver.kinematics", text_value("moving")},
+          {"motion.bottom", text_value("smooth_wall")}, {"motion.left", text_value("open")},
+          {"motion.right", text_value("open")},         {"motion.top", text_value("open")}};
+  }
+  return {};
+}
+
+const char* words_of(mpm::Direction direction) {
+  switch (direction) {
+    case mpm::Direction::tension:
+      return "in tension";
+    case mpm::Direction::compression:
+      return "in compression";
+    case mpm::Direction::none:
+      return "thrown against a wall";
+  }
+  return "";
+}
+
+std::string subject(const DraftWish& wish) {
+  const std::string& file = wish.picture.empty() ? wish.specimen : wish.picture;
+  return file.empty() ? "random aggregates" : printable(fs::path(file).filename().string());
+}
+
+/// All that the scene gives, and what would hold without it.
+class Draft {
+ public:
+  explicit Draft(const DraftWish& wish) : folder_(fs::path(wish.file).parent_path()) {
+    give(of_source(wish));
+    give(of_loading(wish.direction));
+    give({{"damage.seed", {std::int64_t{1}}}, {"solver.cfl", {0.8}}});
+    give({{"output.title", {capital(subject(wish)) + " " + words_of(wish.direction)}}});
+    if (!wish.specimen.empty()) add_phases(read_specimen(wish.specimen).mask.phases);
+  }
+
+  [[nodiscard]] std::string tables() const {
+    std::string text;
+    for (const Group& group : groups())
+      text +=
+          group.name == "phases" ? phase_tables() : table(group.title, group.name, group_lines(group.name));
+    return text;
+  }
+
+ private:
+  static std::string capital(std::string words) {
+    if (words == "random aggregates") words.front() = 'R';
+    return words;
+  }
+
+  void give(const LiveSettings& settings) {
+    for (const Live& one : settings) {
+      try {
+        find_field(one.key)->set(settings_, one.value);
+      } catch (const Mistake& mistake) {
+        throw Rejected(Exit::usage, complaint("--" + leaf_of(one.key), toml_text(one.value), mistake.allowed,
+                                              mistake.cure));
+      }
+      given_.insert(one.key);
+    }
+  }
+
+  /// Phases that are none of concrete begin as mortar: what they are made of nobody has said.
+  void add_phases(const std::vector<std::string>& names) {
+    const mpm::Phase mortar = phase_named(settings_, "mortar");
+    for (const std::string& name : names) {
+      const bool known =
+          name == "void" || std::any_of(settings_.phases.begin(), settings_.phases.end(),
+                                        [&](const mpm::Phase& phase) { return phase.name == name; });
+      if (known || !is_phase_name(name)) continue;
+      settings_.phases.push_back(mortar);
+      settings_.phases.back().name = name;
+      new_phases_.insert(name);
+    }
+  }
+
+  template <class T>
+  static std::string line(const FieldOf<T>& field, const Value& value, const std::string& default_value,
+                          bool given) {
+    const std::string setting =
+        fmt::format("{}{} = {}", given ? "" : "#", leaf_of(field.key), toml_text(value));
+    const std::string comment =
+        fmt::format("# {}; {}{}", field.help, text(field.form),
+                    given && !default_value.empty() ? " [" + default_value + "]" : "");
+    const std::string one = fmt::format("{:<34} {}\n", setting, comment);
+    constexpr std::size_t longest = 120;
+    return one.size() <= longest ? one : comment + "\n" + setting + "\n";
+  }
+
+  static std::string table(const std::string& title, const std::string& name, const std::string& lines) {
+    return lines.empty() ? "" : fmt::format("\n# {}\n[{}]\n{}", title, name, lines);
+  }
+
+  static bool is_empty_text(const Value& value) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    return text != nullptr && text->empty();
+  }
+
+  [[nodiscard]] std::string group_lines(const std::string& group) const {
+    static const Settings defaults;
+    std::string lines;
+    for (const Field& field : fields()) {
+      const bool given = given_.count(field.key) > 0;
+      if (group_of(field.key) != group || !why_unused(field.key, settings_).empty()) continue;
+      const Value usual = field.get(defaults);
+      Value value = given ? field.get(settings_) : usual;
+      if (is_empty_text(value)) continue;  // there is nothing that could be shown
+      if (given && field.kind == Kind::path) value = relative_to(folder_, value);
+      lines += line(field, value, is_empty_text(usual) ? "" : toml_text(usual), given);
+    }
+    return lines;
+  }
+
+  [[nodiscard]] std::string phase_tables() const {
+    std::string text;
+    for (const mpm::Phase& phase : settings_.phases) {
+      const bool is_new = new_phases_.count(phase.name) > 0;
+      std::string lines;
+      for (const PhaseField& property : phase_fields())
+        lines += line(property, property.get(phase), "",
+                      is_new || property.key == "young" || property.key == "tensile_scale");
+      text += table("Phase " + phase.name + (is_new ? ": as mortar; give what it is made of" : ""),
+                    "phases." + phase.name, lines);
+    }
+    return text;
+  }
+
+  fs::path folder_;
+  Settings settings_;
+  std::set<std::string> given_;
+  std::set<std::string> new_phases_;
+};
+
+/// The line by which editors find the schema.
+std::string schema_line(const DraftWish& wish) {
+  if (wish.schema.empty()) return {};
+  const Value relative = relative_to(fs::path(wish.file).parent_path(), {wish.schema});
+  return "#:schema ./" + std::get<std::string>(relative.data) + "\n";
+}
+
+}  // namespace
+
+std::string scene_draft(const DraftWish& wish) {
+  const Draft draft(wish);
+  const std::string name = printable(fs::path(wish.file).filename().string());
+  return schema_line(wish) +
+         fmt::format(
+             "# A scene of mesopix {}: {} {}.\n"
+             "#   mesopix scene check {}\n"
+             "#   mesopix simulate {}\n"
+             "# Lines like #key = value show what holds without them; take the # away to change it. "
+             "Behind a setting stand what it is,\n"
+             "# what is allowed and, in brackets, what would hold without it. Quantities are texts "
+             "with a unit, ratios numbers or\n"
+             "# texts with %. Tables that have no effect on this scene are left out: mesopix simulate "
+             "--help tells of all.\n",
+             version(), subject(wish), words_of(wish.direction), name, name) +
+         draft.tables();
+}
+
+}  // namespace app

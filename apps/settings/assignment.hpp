@@ -1,0 +1,40 @@
+/// Settings as the user wrote them, from a scene file or the command line, and how they are applied.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "apps/text/complaint.hpp"
+#include "apps/settings/schema.hpp"
+#include "apps/settings/settings.hpp"
+#include "apps/text/value.hpp"
+
+namespace app {
+
+/// One setting that the user gave.
+struct Assignment {
+  std::string key;  ///< "loading.velocity"
+  Value value;
+  Place place;          ///< of the value in its file; empty on the command line
+  std::string field;    ///< what messages call it: the key, or the option "--velocity"
+  std::string written;  ///< the value as the user wrote it
+};
+
+/// A setting given as an option; `field` is the option as the user wrote it.
+[[nodiscard]] Assignment given_as_option(std::string key, Kind kind, std::string field, std::string text);
+
+using Origins = std::map<std::string, Assignment>;  ///< by key: what was given last
+
+/// Apply one after the other, a later one wins; appends a complaint for each one that is refused.
+void apply(const std::vector<Assignment>& assignments, Settings& settings,
+           std::vector<Complaint>& complaints);
+
+/// Complaints about settings that were given and have no effect, and about more than one source of the
+/// specimen.
+[[nodiscard]] std::vector<Complaint> check_use(const Origins& origins, const Settings& settings);
+
+/// A complaint about a field of the libraries, at the place where the user set it.
+[[nodiscard]] Complaint locate(const Origins& origins, Complaint complaint);
+
+}  // namespace app

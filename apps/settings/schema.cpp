@@ -1,0 +1,162 @@
+#include "apps/settings/schema.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "apps/text/suggestion.hpp"
+
+namespace app {
+namespace {
+
+/// Field of one property of one phase.
+Field bind(const PhaseField& property, const std::string& phase) {
+  return {"phases." + phase + "." + property.key,
+          property.help,
+          property.kind,
+          property.type,
+          [set = property.set, phase](Settings& settings, const Value& value) {
+            set(phase_named(settings, phase), value);
+          },
+          [get = property.get, phase](const Settings& settings) {
+            Settings copy = settings;  // a phase not yet there has its defaults
+            return get(phase_named(copy, phase));
+          },
+          property.measure,
+          property.form};
+}
+
+std::vector<std::string> keys_of_group(const std::string& group) {
+  std::vector<std::string> keys;
+  if (group == "phases")
+    for (const PhaseField& property : phase_fields()) keys.push_back(property.key);
+  for (const Field& field : fields())
+    if (group_of(field.key) == group) keys.push_back(leaf_of(field.key));
+  return keys;
+}
+
+std::vector<std::string> every_key(const Settings& settings) {
+  std::vector<std::string> keys;
+  for (const Field& field : fields()) keys.push_back(field.key);
+  for (const mpm::Phase& phase : settings.phases)
+    for (const PhaseField& property : phase_fields())
+      keys.push_back("phases." + phase.name + "." + property.key);
+  return keys;
+}
+
+/// What drawn ellipses need, random or not.
+bool is_of_canvas(std::string_view key) {
+  return key == "generate.width" || key == "generate.height" || key == "generate.pixel_size";
+}
+
+bool is_of_curve(std::string_view key) {
+  return key == "generate.grading" || key == "generate.d_min" || key == "generate.d_max" ||
+         key == "generate.walraven";
+}
+
+/// Why the settings of a whole group have no effect on a specimen from this source.
+std::string why_group_unused(const std::string& group, Source source) {
+  const bool loaded = source == Source::file;
+  if (loaded && (group == "generate" || group == "convert" || group == "itz"))
+    return "has no effect on a specimen that is there already";
+  if (group == "generate" && source == Source::picture) return "has no effect on a picture";
+  if (group == "generate" && source == Source::ellipses) return "has no effect on given ellipses";
+  if (group == "convert" && source != Source::picture) return "has an effect on pictures only";
+  return {};
+}
+
+bool is_of_platens(std::string_view key) {
+  return key == "loading.velocity" || key == "loading.ramp_time" || key == "loading.platen" ||
+         key == "loading.separation" || key == "loading.stop_strain";
+}
+
+bool is_of_flight(std::string_view key) {
+  return key == "loading.initial_velocity_x" || key == "loading.initial_velocity_y" ||
+         key == "loading.duration" || key == "motion.bottom" || key == "motion.top";
+}
+
+/// Whether the grid reaches beyond an edge of the specimen.
+bool has_margin(const mpm::Scene& scene) {
+  const mpm::Motion& motion = scene.motion;
+  const auto ends = [](mpm::Edge edge) { return edge == mpm::Edge::closed || edge == mpm::Edge::open; };
+  return ends(motion.left) || ends(motion.right) ||
+         (scene.loading.direction == mpm::Direction::none && (ends(motion.bottom) || ends(motion.top)));
+}
+
+/// Why a setting of the loading or of moving points has no effect on a scene.
+std::string why_motion_unused(std::string_view key, const mpm::Scene& scene) {
+  const std::string group = group_of(key);
+  const bool flies = scene.loading.direction == mpm::Direction::none;
+  if ((group == "motion" || key == "loading.separation") && scene.kinematics == mpm::Kinematics::small_strain)
+    return "has an effect with solver.kinematics = \"moving\" or \"auto\" only";
+  if (group == "handover" && scene.kinematics != mpm::Kinematics::automatic)
+    return "has an effect with solver.kinematics = \"auto\" only";
+  if (flies && is_of_platens(key)) return "has no effect with loading.direction = \"none\"";
+  if (!flies && is_of_flight(key)) return "has an effect with loading.direction = \"none\" only";
+  if (key == "motion.flip_ratio" && scene.motion.transfer == mpm::Transfer::apic)
+    return "has no effect with motion.transfer = \"apic\"";
+  if (key == "motion.margin" && !has_margin(scene)) return "has no effect where no edge is closed or open";
+  return {};
+}
+
+}  // namespace
+
+std::string group_of(std::string_view key) { return std::string(key.substr(0, key.find('.'))); }
+
+std::string leaf_of(std::string_view key) { return std::string(key.substr(key.rfind('.') + 1)); }
+
+bool is_phase_name(std::string_view name) {
+  constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  return !name.empty() && name.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+std::optional<Field> find_field(std::string_view key) {
+  for (const Field& field : fields())
+    if (field.key == key) return field;
+  const std::size_t first = key.find('.');
+  const std::size_t last = key.rfind('.');
+  if (group_of(key) != "phases" || first == last) return std::nullopt;
+  const std::string phase(key.substr(first + 1, last - first - 1));
+  if (!is_phase_name(phase)) return std::nullopt;
+  for (const PhaseField& property : phase_fields())
+    if (property.key == key.substr(last + 1)) return bind(property, phase);
+  return std::nullopt;
+}
+
+std::string suggest_key(std::string_view key, const Settings& settings) {
+  const std::string group = group_of(key);
+  const std::string leaf = leaf_of(key);
+  const std::string prefix(key.substr(0, key.size() - leaf.size()));
+  if (const std::string near = closest(leaf, keys_of_group(group)); !near.empty())
+    return "did you mean " + prefix + near + "?";
+  for (const std::string& known : every_key(settings))
+    if (leaf_of(known) == leaf) return "did you mean " + known + "?";
+  if (const std::string near = closest(key, every_key(settings)); !near.empty())
+    return "did you mean " + near + "?";
+  const std::vector<std::string> keys = keys_of_group(group);
+  if (!keys.empty()) return group + " has " + listed(keys, "and");
+  std::vector<std::string> tables;
+  for (const Group& one : groups()) tables.push_back(one.name);
+  const std::string meant = did_you_mean(group, tables);
+  return meant.empty() ? "the tables of a scene are " + listed(tables, "and") : meant;
+}
+
+bool decides_use(std::string_view key) {
+  constexpr std::array deciding{"specimen.file",     "specimen.picture", "specimen.ellipses",
+                                "ellipses",          "generate.classes", "loading.direction",
+                                "solver.kinematics", "motion.transfer",  "motion.left",
+                                "motion.right",      "motion.bottom",    "motion.top"};
+  return std::find(deciding.begin(), deciding.end(), key) != deciding.end();
+}
+
+std::string why_unused(std::string_view key, const Settings& settings) {
+  const SpecimenChoice& choice = settings.specimen;
+  const bool has_file = !choice.file.empty() || !choice.picture.empty() || !choice.ellipses.empty();
+  if (key == "specimen.sha256" && !has_file) return "is that of a file, and none is given";
+  if (is_of_curve(key) && !settings.grading.classes.empty()) return "has no effect beside generate.classes";
+  if (const std::string reason = why_motion_unused(key, settings.scene); !reason.empty()) return reason;
+  const Source source = source_of(settings);
+  if (source == Source::ellipses && is_of_canvas(key)) return {};
+  return why_group_unused(group_of(key), source);
+}
+
+}  // namespace app

@@ -1,0 +1,59 @@
+/// The one table of settings. Command line options, scene files, help, validation and the resolved scene all
+/// come from it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/settings/field.hpp"
+#include "apps/settings/settings.hpp"
+
+namespace app {
+
+using Field = FieldOf<Settings>;
+using PhaseField = FieldOf<mpm::Phase>;
+
+/// A table of the scene file and a heading of the help.
+struct Group {
+  std::string name;           ///< "loading"
+  std::string title;          ///< "Loading"
+  std::string option_prefix;  ///< before the names of its short options: "itz-" for --itz-mode
+};
+
+/// In the order in which they are written.
+[[nodiscard]] const std::vector<Group>& groups();
+
+/// Every setting but those of the phases, group by group.
+[[nodiscard]] const std::vector<Field>& fields();
+
+/// The properties of each phase, [phases.NAME].
+[[nodiscard]] const std::vector<PhaseField>& phase_fields();
+
+/// Labels have a byte, and one of them is void.
+inline constexpr std::size_t most_phases = 255;
+
+/// Letters, digits, _ and -, so that it can stand in keys and options.
+[[nodiscard]] bool is_phase_name(std::string_view name);
+
+/// Field of a key, "phases.NAME.PROPERTY" included.
+[[nodiscard]] std::optional<Field> find_field(std::string_view key);
+
+/// For an unknown key: "did you mean loading.velocity?", or the keys of its table.
+[[nodiscard]] std::string suggest_key(std::string_view key, const Settings& settings);
+
+/// "loading" of "loading.velocity"; "phases" of "phases.mortar.young".
+[[nodiscard]] std::string group_of(std::string_view key);
+
+/// "velocity" of "loading.velocity".
+[[nodiscard]] std::string leaf_of(std::string_view key);
+
+/// Whether it depends on a setting which others have an effect.
+[[nodiscard]] bool decides_use(std::string_view key);
+
+/// Why a setting has no effect, in half a sentence; empty when it has one. A setting without effect that the
+/// user gave is a mistake of theirs, and the resolved scene leaves it out.
+[[nodiscard]] std::string why_unused(std::string_view key, const Settings& settings);
+
+}  // namespace app

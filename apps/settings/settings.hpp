@@ -1,0 +1,60 @@
+/// Everything that a user can choose, as plain data. The defaults are those of the libraries' own structs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libmpm/scene/phase.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "specimen/convert/convert.hpp"
+#include "specimen/body/ellipse.hpp"
+#include "specimen/pack/packing.hpp"
+#include "specimen/body/ring.hpp"
+
+namespace app {
+
+/// What a specimen is made from.
+enum class Source { generated, ellipses, picture, file };
+
+/// Where the specimen comes from; at most one of file, picture, ellipses and ellipse_list is given, and none
+/// of them means random ellipses.
+struct SpecimenChoice {
+  std::string file;                             ///< path of a specimen.h5
+  std::string picture;                          ///< path of a picture
+  std::string ellipses;                         ///< path of a CSV list
+  std::vector<specimen::Ellipse> ellipse_list;  ///< as written in the scene itself
+  std::string sha256;                           ///< expected of that file; empty = any
+};
+
+/// Sizes of random aggregates: a named curve between two diameters, or explicit classes.
+struct GradingChoice {
+  std::string name = "fuller";
+  double d_min = specimen::PackingOptions().grading.back().d_min;   ///< [m]
+  double d_max = specimen::PackingOptions().grading.front().d_max;  ///< [m]
+  bool walraven = false;      ///< turn the volume curve into area shares of a plane cut
+  specimen::Grading classes;  ///< used instead of the named curve where not empty
+};
+
+struct Settings {
+  SpecimenChoice specimen;
+  double pixel_size = 0.5e-3;        ///< of drawn ellipses [m]
+  specimen::PackingOptions packing;  ///< its grading is not used: see packing_options()
+  GradingChoice grading;
+  specimen::ConvertOptions convert;
+  specimen::ItzOptions itz;
+  std::vector<mpm::Phase> phases = mpm::concrete_phases();
+  mpm::Scene scene;   ///< loading, damage and solver; no labels, no phases
+  std::string title;  ///< of the report, the user's own words
+};
+
+[[nodiscard]] Source source_of(const Settings& settings);
+
+/// Options of the packing with the grading that was chosen.   @throws specimen::Error.
+[[nodiscard]] specimen::PackingOptions packing_options(const Settings& settings);
+
+/// The phase of that name; an unknown one is added, with no stiffness and no mass yet.
+mpm::Phase& phase_named(Settings& settings, std::string_view name);
+
+}  // namespace app

@@ -1,0 +1,30 @@
+/// What the members of a study say together, written into its folder and told.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "apps/system/console.hpp"
+#include "apps/study/study_results.hpp"
+
+namespace app {
+
+/// Write tables and report of what has a result, and say the means.
+/// @throws mpm::FileError, specimen::Error (Fault::write) when the disk fails.
+void close_study(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
+                 const StudyResults& results, Console& console);
+
+/// How many of the members are done, have failed or are open, and in which folder.
+[[nodiscard]] nlohmann::ordered_json count_json(const StudyFolder& folder,
+                                                const std::vector<Member>& members);
+
+/// The same with the mean peak stress, where no value varies, and the files.
+[[nodiscard]] nlohmann::ordered_json study_json(const StudyFolder& folder, const Study& study,
+                                                const std::vector<Member>& members,
+                                                const StudyResults& results);
+
+/// Each of the first failed members with its reason, and where the others are told.
+/// @throws Rejected (Exit::data) when any has failed.
+void refuse_failures(const Study& study, const StudyFolder& folder, const std::vector<Member>& members);
+
+}  // namespace app

@@ -1,0 +1,144 @@
+#include "apps/study/study_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+#include "apps/text/json_text.hpp"
+#include "apps/text/text.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/scene/scene_differences.hpp"
+#include "apps/study/study_file.hpp"
+#include "apps/study/study_values.hpp"
+#include "apps/system/text_file.hpp"
+#include "libmpm/files/replace_file.hpp"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_differences = 5;
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+/// A study and its scene, word for word.
+struct FileTexts {
+  std::string study, scene;
+  friend bool operator==(const FileTexts&, const FileTexts&) = default;
+};
+
+/// Whether a study may begin here: nothing is in the folder, or the specimen that is to be broken.
+bool is_free(const fs::path& folder) {
+  std::error_code error;
+  if (!is_there(folder)) return true;
+  if (!fs::is_directory(folder, error)) return false;
+  const fs::directory_iterator entries(folder, error);
+  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().filename() == "specimen.h5";
+  });
+}
+
+/// Empty where a study may begin.
+FileTexts kept_texts(const fs::path& folder) {
+  if (is_free(folder)) return {};
+  if (!is_there(folder / "study.toml"))
+    throw Rejected(Exit::usage, complaint("-o", folder.string(), "holds something else than a study",
+                                          "choose another folder"));
+  return {read_text_file((folder / "study.toml").string()), read_text_file((folder / "scene.toml").string())};
+}
+
+std::string differences_text(const FileTexts& kept, const FileTexts& given) {
+  std::vector<std::string> texts;
+  const auto add = [&](const std::string& of, const std::string& there, const std::string& here) {
+    for (const SceneDifference& one : scene_differences({there, here}))
+      texts.push_back(fmt::format("{}{} was {} and is {}", of, one.key,
+                                  one.values[0].empty() ? "not given" : one.values[0],
+                                  one.values[1].empty() ? "not given" : one.values[1]));
+  };
+  add("", kept.study, given.study);
+  add("scene ", kept.scene, given.scene);
+  if (texts.size() > most_differences) texts.resize(most_differences);
+  return output::listed(texts);
+}
+
+/// Whether every member of the study that a folder holds is among those.
+bool only_grew(const Study& kept, const std::vector<Member>& members) {
+  std::set<std::string> ids;
+  for (const Member& member : members) ids.insert(member.id);
+  const std::vector<Member> before = list_members(kept);
+  return std::all_of(before.begin(), before.end(),
+                     [&](const Member& member) { return ids.count(member.id) > 0; });
+}
+
+std::string cure_of(const Study& kept, const Study& given) {
+  const bool cube = kept.plan.sampling == Sampling::latin_hypercube &&
+                    given.plan.sampling == Sampling::latin_hypercube &&
+                    kept.plan.samples != given.plan.samples;
+  return cube ? "a Latin hypercube cannot grow; sampling = \"sobol\" can, in another folder with -o"
+              : "choose another folder with -o; a study may only grow: more seeds, levels or samples";
+}
+
+}  // namespace
+
+void StudyFolder::open(const Study& study, const std::vector<Member>& members) const {
+  const FileTexts given{study.file.text, study.scene.text};
+  const FileTexts kept = kept_texts(path_);
+  if (!kept.study.empty() && kept != given) {
+    const Study before = study_of({kept.study, study.file.path}, {kept.scene, study.scene.path});
+    if (!only_grew(before, members))
+      throw Rejected(Exit::usage, complaint("-o", path_.string() + " holds another study",
+                                            differences_text(kept, given), cure_of(before, study)));
+  }
+  make_folders(path_ / "members");
+  make_folders(path_ / "failures");
+  if (kept.scene != given.scene) mpm::replace_file(file("scene.toml").string(), given.scene);
+  if (kept.study != given.study) mpm::replace_file(file("study.toml").string(), given.study);
+}
+
+fs::path StudyFolder::result_file(const Member& member) const {
+  return path_ / "members" / (member.id + ".h5");
+}
+
+fs::path StudyFolder::run_folder(const Member& member) const { return path_ / "members" / member.id; }
+
+fs::path StudyFolder::failure_file(const Member& member) const {
+  return path_ / "failures" / (member.id + ".json");
+}
+
+bool StudyFolder::has_result(const Member& member) const { return is_there(result_file(member)); }
+
+bool StudyFolder::has_failed(const Member& member) const { return is_there(failure_file(member)); }
+
+bool StudyFolder::has_begun(const Member& member) const { return is_there(run_folder(member)); }
+
+void StudyFolder::write_failure(const Study& study, const Member& member, const std::string& reason) const {
+  nlohmann::ordered_json json{{"member", member.number}, {"id", member.id}, {"reason", reason}};
+  if (member.seed) json["seed"] = *member.seed;
+  json["values"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < member.values.size(); ++i)
+    json["values"][study.plan.parameters[i].name] = text_of(study.plan.parameters[i], member.values[i]);
+  mpm::replace_file(failure_file(member).string(), json_text(json));
+}
+
+std::string StudyFolder::failure(const Member& member) const {
+  if (!has_failed(member)) return {};
+  const std::string path = failure_file(member).string();
+  const auto json = nlohmann::json::parse(read_text_file(path), nullptr, false);
+  if (!json.is_object() || !json.contains("reason") || !json["reason"].is_string())
+    throw Rejected(Exit::data, complaint(path, "says no reason", "must be as mesopix wrote it", "remove it"));
+  return json["reason"].get<std::string>();
+}
+
+void StudyFolder::forget_failure(const Member& member) const {
+  std::error_code ignored;
+  fs::remove(failure_file(member), ignored);
+}
+
+}  // namespace app

@@ -1,0 +1,33 @@
+/// How many seeds a study needs, told from those that it has.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "apps/statistics/confidence.hpp"
+#include "apps/study/study_results.hpp"
+
+namespace app {
+
+inline constexpr std::size_t least_seeds = 10;     ///< before anything can be told
+inline constexpr std::size_t most_seeds = 10'000;  ///< at which growth ends
+
+/// Peak stress at each point of a study, over its seeds.
+[[nodiscard]] std::vector<MeanEstimate> peak_estimates(const std::vector<Member>& members,
+                                                       const StudyResults& results);
+
+/// Number of seeds to go on with until the confidence interval of the mean peak stress is at most
+/// mean * (1 +- share) at every point: what the scatter so far calls for, at least one more, at most twice as
+/// many. It follows from all members of the seeds so far, so that it does not depend on who ended first.
+/// @return `seeds` when they are enough, or as many as may be.
+[[nodiscard]] std::size_t seeds_to_go_on_with(const std::vector<MeanEstimate>& estimates, std::size_t seeds,
+                                              double share);
+
+/// The seeds, and after them those that follow the largest one.   @pre at least one seed.
+[[nodiscard]] std::vector<std::uint64_t> grown_seeds(std::vector<std::uint64_t> seeds, std::size_t count);
+
+/// Largest half width of the intervals over their means [-]; NaN where one is not known.
+[[nodiscard]] double largest_half_width(const std::vector<MeanEstimate>& estimates);
+
+}  // namespace app

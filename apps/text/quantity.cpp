@@ -1,0 +1,270 @@
+#include "apps/text/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "apps/text/complaint.hpp"
+#include "apps/text/number_text.hpp"
+#include "apps/text/suggestion.hpp"
+#include "apps/text/text_parts.hpp"
+
+namespace app {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// A unit is `factor` times ten to the `exponent` SI units; the factor differs from 1 for degrees, minutes
+/// and hours alone.
+struct Unit {
+  Dimension dimension;
+  std::string_view name;
+  int exponent;
+  bool written;  ///< chosen when a quantity is written; the others are only understood
+  double factor = 1;
+};
+
+/// Of those that are written, the first one wins where two give texts of one length.
+constexpr std::array units{
+    Unit{Dimension::ratio, "%", -2, false},
+    Unit{Dimension::ratio, "microstrain", -6, false},
+    Unit{Dimension::length, "mm", -3, true},
+    Unit{Dimension::length, "m", 0, true},
+    Unit{Dimension::length, "um", -6, true},
+    Unit{Dimension::length, "cm", -2, false},
+    Unit{Dimension::length, "µm", -6, false},
+    Unit{Dimension::area, "mm2", -6, true},
+    Unit{Dimension::area, "m2", 0, true},
+    Unit{Dimension::area, "cm2", -4, false},
+    Unit{Dimension::area, "mm^2", -6, false},
+    Unit{Dimension::area, "cm^2", -4, false},
+    Unit{Dimension::area, "m^2", 0, false},
+    Unit{Dimension::pressure, "MPa", 6, true},
+    Unit{Dimension::pressure, "GPa", 9, true},
+    Unit{Dimension::pressure, "kPa", 3, true},
+    Unit{Dimension::pressure, "Pa", 0, true},
+    Unit{Dimension::pressure, "N/mm2", 6, false},
+    Unit{Dimension::angle, "deg", 0, true, degree},
+    Unit{Dimension::angle, "rad", 0, true},
+    Unit{Dimension::angle, "°", 0, false, degree},
+    Unit{Dimension::velocity, "m/s", 0, true},
+    Unit{Dimension::velocity, "mm/s", -3, false},
+    Unit{Dimension::density, "kg/m3", 0, true},
+    Unit{Dimension::density, "kg/m^3", 0, false},
+    Unit{Dimension::density, "g/cm3", 3, false},
+    Unit{Dimension::time, "s", 0, true},
+    Unit{Dimension::time, "ms", -3, true},
+    Unit{Dimension::time, "us", -6, true},
+    Unit{Dimension::time, "µs", -6, false},
+    Unit{Dimension::time, "min", 0, false, 60},
+    Unit{Dimension::time, "h", 0, false, 3600},
+    Unit{Dimension::energy, "J/m2", 0, true},
+    Unit{Dimension::energy, "J/m^2", 0, false},
+    Unit{Dimension::energy, "N/m", 0, false},
+    Unit{Dimension::energy, "N/mm", 3, false},
+};
+
+const Unit* find_unit(std::string_view name, Dimension dimension) {
+  const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& unit) {
+    return unit.dimension == dimension && unit.name == name;
+  });
+  return found == units.end() ? nullptr : found;
+}
+
+bool known_anywhere(std::string_view name) {
+  return std::any_of(units.begin(), units.end(), [&](const Unit& unit) { return unit.name == name; });
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A decimal number cut from the front of a text: "[-+]digits[.digits][e[-+]digits]", then the rest.
+struct Numeral {
+  std::string mantissa;  ///< without a leading "+"
+  long exponent = 0;
+  std::string_view rest;
+};
+
+std::size_t count_digits(std::string_view text, std::size_t from) {
+  std::size_t to = from;
+  while (to < text.size() && is_digit(text[to])) ++to;
+  return to - from;
+}
+
+/// Exponent at text[at], clipped to a size that is out of range anyway; moves `at` behind it.
+long read_exponent(std::string_view text, std::size_t& at) {
+  if (at >= text.size() || (text[at] != 'e' && text[at] != 'E')) return 0;
+  std::size_t digits = at + 1;
+  if (digits < text.size() && (text[digits] == '-' || text[digits] == '+')) ++digits;
+  const std::size_t n = count_digits(text, digits);
+  if (n == 0) return 0;
+  const long size = n > 6 ? 999999 : std::strtol(std::string(text.substr(digits, n)).c_str(), nullptr, 10);
+  const bool negative = text[at + 1] == '-';
+  at = digits + n;
+  return negative ? -size : size;
+}
+
+std::optional<Numeral> read_numeral(std::string_view text) {
+  std::size_t at = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  const std::size_t whole = count_digits(text, at);
+  at += whole;
+  std::size_t decimals = 0;
+  if (at < text.size() && text[at] == '.') {
+    decimals = count_digits(text, at + 1);
+    at += 1 + decimals;
+  }
+  if (whole + decimals == 0) return std::nullopt;
+  Numeral numeral;
+  numeral.mantissa = text.substr(text[0] == '+' ? 1 : 0, at - (text[0] == '+' ? 1 : 0));
+  numeral.exponent = read_exponent(text, at);
+  numeral.rest = trimmed(text.substr(at));
+  return numeral;
+}
+
+double to_double(const Numeral& numeral, int shift) {
+  const std::string decimal = fmt::format("{}e{}", numeral.mantissa, numeral.exponent + shift);
+  double value = 0;
+  const auto [end, error] = std::from_chars(decimal.data(), decimal.data() + decimal.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) throw Mistake("beyond the range of numbers");
+  return value;
+}
+
+[[noreturn]] void refuse_text(std::string_view text, Dimension dimension) {
+  const std::string start(text.substr(0, text.find_first_of(" \t")));
+  const std::string bare = start.substr(start.find_first_not_of("+-") == 1 ? 1 : 0, 3);
+  if (bare == "nan" || bare == "inf" || bare == "NaN" || bare == "Inf" || bare == "NAN" || bare == "INF")
+    throw Mistake("must be a finite number");
+  throw Mistake(must_be(dimension));
+}
+
+[[noreturn]] void refuse_unit(std::string_view unit, Dimension dimension) {
+  if (unit.front() == ',') throw Mistake(must_be(dimension), "write the decimals behind a point");
+  const bool could_be_a_unit = std::isalpha(static_cast<unsigned char>(unit.front())) != 0 || unit == "%";
+  if (!could_be_a_unit || known_anywhere(unit)) throw Mistake(must_be(dimension));
+  const std::vector<std::string> names = unit_names(dimension);
+  throw Mistake(fmt::format("unknown unit {}, allowed are {}", unit, listed(names, "and")),
+                did_you_mean(unit, names));
+}
+
+/// A number of `unit.factor` units whose text reads back to the value; empty when there is none.
+std::string factored_text(double value, const Unit& unit) {
+  for (int precision = 1; precision <= 17; ++precision) {
+    const double rounded =
+        std::strtod(fmt::format("{:.{}g}", value / unit.factor, precision).c_str(), nullptr);
+    if (rounded * unit.factor == value) return format_number(rounded);
+  }
+  return {};
+}
+
+std::string number_in(double value, const Unit& unit) {
+  if (unit.factor != 1) return factored_text(value, unit);
+  return format_shifted(value, -unit.exponent);
+}
+
+}  // namespace
+
+std::vector<std::string> unit_names(Dimension dimension) {
+  std::vector<std::string> names;
+  for (const Unit& unit : units)
+    if (unit.dimension == dimension) names.emplace_back(unit.name);
+  return names;
+}
+
+std::string name(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::ratio:
+      return "number";
+    case Dimension::length:
+      return "length";
+    case Dimension::area:
+      return "area";
+    case Dimension::pressure:
+      return "pressure";
+    case Dimension::angle:
+      return "angle";
+    case Dimension::velocity:
+      return "velocity";
+    case Dimension::density:
+      return "density";
+    case Dimension::time:
+      return "time";
+    case Dimension::energy:
+      return "energy of an area";
+  }
+  return {};
+}
+
+std::string si_unit(Dimension dimension) {
+  if (dimension == Dimension::ratio) return "1";
+  const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& unit) {
+    return unit.dimension == dimension && unit.exponent == 0 && unit.factor == 1;
+  });
+  return std::string(found->name);
+}
+
+std::string example(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::ratio:
+      return "0.45";
+    case Dimension::length:
+      return "0.5 mm";
+    case Dimension::area:
+      return "2 mm2";
+    case Dimension::pressure:
+      return "20 GPa";
+    case Dimension::angle:
+      return "50 deg";
+    case Dimension::velocity:
+      return "0.05 m/s";
+    case Dimension::density:
+      return "2400 kg/m3";
+    case Dimension::time:
+      return "0.1 ms";
+    case Dimension::energy:
+      return "60 J/m2";
+  }
+  return {};
+}
+
+std::string must_be(Dimension dimension) {
+  const std::string article = dimension == Dimension::area || dimension == Dimension::angle ? "an " : "a ";
+  const std::string shown = dimension == Dimension::ratio ? example(dimension) : quoted(example(dimension));
+  return "must be " + article + name(dimension) + ", e.g. " + shown;
+}
+
+bool is_unit(std::string_view unit, Dimension dimension) { return find_unit(unit, dimension) != nullptr; }
+
+double parse_quantity(std::string_view text, Dimension dimension) {
+  const std::string_view cut = trimmed(text);
+  const std::optional<Numeral> numeral = read_numeral(cut);
+  if (!numeral) refuse_text(cut, dimension);
+  if (numeral->rest.empty()) {
+    if (dimension == Dimension::ratio) return to_double(*numeral, 0);
+    throw Mistake("needs a unit", "write e.g. " + quoted(example(dimension)));
+  }
+  const Unit* unit = find_unit(numeral->rest, dimension);
+  if (unit == nullptr) refuse_unit(numeral->rest, dimension);
+  return to_double(*numeral, unit->exponent) * unit->factor;
+}
+
+std::string format_quantity(double value, Dimension dimension) {
+  if (dimension == Dimension::ratio) return format_number(value);
+  std::string best;
+  for (const Unit& unit : units) {
+    if (unit.dimension != dimension || !unit.written) continue;
+    const std::string number = number_in(value, unit);
+    if (number.empty()) continue;
+    const std::string candidate = fmt::format("{} {}", number, unit.name);
+    if (best.empty() || candidate.size() < best.size()) best = candidate;
+  }
+  return best;
+}
+
+}  // namespace app

@@ -1,0 +1,179 @@
+#include "libmpm/files/hdf5_read.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "libmpm/files/hdf5_heap.hpp"
+#include "libmpm/files/hdf5_version.hpp"
+
+namespace mpm::hdf5 {
+namespace {
+
+Handle open_attribute(hid_t object, const char* name) {
+  return {H5Aopen(object, name, H5P_DEFAULT), H5Aclose, std::string("attribute ") + name + " is missing"};
+}
+
+void require_type(hid_t type, H5T_class_t kind, std::size_t size, const std::string& words) {
+  require(H5Tget_class(type) == kind && H5Tget_size(type) == size, words + " has a wrong type");
+}
+
+void require_count(hid_t attribute, int count, const std::string& words) {
+  const Handle space(H5Aget_space(attribute), H5Sclose, words + " is damaged");
+  require(H5Sget_simple_extent_npoints(space) == count,
+          words + " must hold " + (count == 1 ? "one value" : std::to_string(count) + " values"));
+}
+
+/// Soft and external links lead to other places, and other files.
+void require_part(hid_t parent, const std::string& name, const std::string& words) {
+  require(H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0, words + " is missing");
+  H5L_info_t link{};
+  require(H5Lget_info(parent, name.c_str(), &link, H5P_DEFAULT) >= 0, words + " is damaged");
+  require(link.type == H5L_TYPE_HARD, words + " is a link, and no part of the file itself");
+}
+
+std::vector<hsize_t> extent_of(hid_t dataset, std::size_t rank, const std::string& words) {
+  const Handle space(H5Dget_space(dataset), H5Sclose, words + " is damaged");
+  require(H5Sget_simple_extent_ndims(space) == static_cast<int>(rank), words + " has a wrong number of axes");
+  std::vector<hsize_t> extent(rank);
+  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  return extent;
+}
+
+double bytes_of(const std::vector<hsize_t>& extent, std::size_t value_size) {
+  double bytes = static_cast<double>(value_size);
+  for (const hsize_t side : extent) bytes *= static_cast<double>(side);
+  return bytes;
+}
+
+/// HDF5 would load any filter that it does not bring itself from a folder of plug-ins, and run it. A filter
+/// over its own output would unpack a few bytes to any number of them.
+void require_known_filters(hid_t settings, const std::string& words) {
+  std::set<H5Z_filter_t> met;
+  for (int i = 0; i < H5Pget_nfilters(settings); ++i) {
+    unsigned flags = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter =
+        H5Pget_filter2(settings, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, nullptr);
+    require(filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32,
+            words + " is packed by filter " + std::to_string(filter) +
+                ", which is none of gzip, shuffle and fletcher32");
+    require(met.insert(filter).second, words + " is packed twice by filter " + std::to_string(filter));
+  }
+}
+
+/// Chunks that were never written would read as zeros.
+void require_chunks(const Dataset& dataset, hid_t settings, std::size_t value_size) {
+  std::vector<hsize_t> chunk(dataset.extent.size());
+  require(H5Pget_chunk(settings, static_cast<int>(chunk.size()), chunk.data()) >= 0,
+          dataset.words + " is damaged");
+  require(bytes_of(chunk, value_size) <= 0x1p26, dataset.words + " has chunks of more than 64 MiB");
+  hsize_t expected = 1;
+  for (std::size_t i = 0; i < chunk.size(); ++i) expected *= (dataset.extent[i] + chunk[i] - 1) / chunk[i];
+  hsize_t met = 0;
+  const Handle space(H5Dget_space(dataset.id), H5Sclose, dataset.words + " is damaged");
+  require(H5Dget_num_chunks(dataset.id, space, &met) >= 0 && met == expected,
+          dataset.words + " lacks some of its data");
+}
+
+Handle settings_of(const Dataset& dataset) {
+  return {H5Dget_create_plist(dataset.id), H5Pclose, dataset.words + " is damaged"};
+}
+
+/// Before the extent is asked for: HDF5 opens the other files to know how far they reach.
+void require_inside(const Dataset& dataset) {
+  const Handle settings = settings_of(dataset);
+  require(H5Pget_layout(settings) != H5D_VIRTUAL && H5Pget_external_count(settings) == 0,
+          dataset.words + " keeps its data in another file");
+  require_known_filters(settings, dataset.words);
+}
+
+/// Chunks may lie over each other, so that all of them together claim more than the file holds.
+double stored_bytes(const Dataset& dataset) {
+  const Handle file(H5Iget_file_id(dataset.id), H5Fclose, dataset.words + " is damaged");
+  hsize_t file_size = 0;
+  require(H5Fget_filesize(file, &file_size) >= 0, dataset.words + " is damaged");
+  return static_cast<double>(std::min(file_size, H5Dget_storage_size(dataset.id)));
+}
+
+/// An extent that a damaged file only claims would ask for any amount of memory; deflate packs at most
+/// 1032:1.
+void require_stored(const Dataset& dataset, std::size_t value_size) {
+  const Handle settings = settings_of(dataset);
+  const H5D_layout_t layout = H5Pget_layout(settings);
+  require(bytes_of(dataset.extent, value_size) <= 1100.0 * stored_bytes(dataset),
+          dataset.words + " has an extent that its data do not fill");
+  const bool is_empty = std::find(dataset.extent.begin(), dataset.extent.end(), 0U) != dataset.extent.end();
+  if (layout == H5D_CHUNKED && !is_empty) require_chunks(dataset, settings, value_size);
+}
+
+}  // namespace
+
+Handle open_file(const std::string& path) {
+  require(std::filesystem::is_regular_file(path), "there is no such file");
+  require(heaps_are_sound(path), "is damaged: lengths in a heap of its texts are wrong");
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+              "is no HDF5 file, or is cut short or damaged");
+  const Handle settings(H5Fget_create_plist(file), H5Pclose, "is damaged");
+  std::size_t address = 0, length = 0;
+  require(H5Pget_sizes(settings, &address, &length) >= 0 && address == 8 && length == 8,
+          "has addresses and lengths that are not of 64 bits");
+  return file;
+}
+
+Handle open_group(hid_t parent, const std::string& name) {
+  const std::string words = "group " + name;
+  require_part(parent, name, words);
+  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, words + " is no group"};
+}
+
+void read_attribute(hid_t object, const char* name, H5T_class_t kind, std::size_t size, hid_t memory_type,
+                    void* values, int count) {
+  const std::string words = std::string("attribute ") + name;
+  const Handle attribute = open_attribute(object, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, words + " is damaged");
+  require_type(type, kind, size, words);
+  require_count(attribute, count, words);
+  require(H5Aread(attribute, memory_type, values) >= 0, words + " cannot be read");
+}
+
+std::string read_text(hid_t object, const char* name) {
+  const std::string words = std::string("attribute ") + name;
+  const Handle attribute = open_attribute(object, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, words + " is damaged");
+  require(H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0, words + " has a wrong type");
+  require_count(attribute, 1, words);
+  char* value = nullptr;
+  const Handle memory_type = text_type();
+  require(H5Aread(attribute, memory_type, &value) >= 0, words + " cannot be read");
+  std::string text = value == nullptr ? "" : value;
+  H5free_memory(value);
+  return text;
+}
+
+Dataset open_dataset(hid_t parent, const std::string& name, std::size_t rank, H5T_class_t kind,
+                     std::size_t size) {
+  const std::string words = "dataset " + name;
+  require_part(parent, name, words);
+  Dataset dataset{
+      words, Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, words + " is no dataset"), {}};
+  const Handle type(H5Dget_type(dataset.id), H5Tclose, words + " is damaged");
+  require_type(type, kind, size, words);
+  require_inside(dataset);
+  dataset.extent = extent_of(dataset.id, rank, words);
+  require_stored(dataset, size);
+  return dataset;
+}
+
+void read_all(const Dataset& dataset, hid_t memory_type, void* values) {
+  require(H5Dread(dataset.id, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
+          dataset.words + " is damaged");
+}
+
+}  // namespace mpm::hdf5
+
+std::string mpm::hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  (void)H5get_libversion(&major, &minor, &release);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+}

@@ -1,0 +1,57 @@
+/// How whole files, attributes and datasets are read. Not installed: private to result_file*, frame_file*.
+///
+/// Nothing that a file claims is believed: what is read has the type and the axes that are asked for, lies in
+/// the file itself, and is there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libmpm/files/hdf5_handle.hpp"
+
+namespace mpm::hdf5 {
+
+/// @throws Fault when it is no file, none of HDF5, or one that HDF5 would not get through.
+[[nodiscard]] Handle open_file(const std::string& path);
+
+/// A part of a group, by its own name.   @throws Fault when it is missing or a link to somewhere else.
+[[nodiscard]] Handle open_group(hid_t parent, const std::string& name);
+
+/// An attribute of `count` numbers, of an object.   @throws Fault.
+void read_attribute(hid_t object, const char* name, H5T_class_t kind, std::size_t size, hid_t memory_type,
+                    void* values, int count = 1);
+
+template <class T>
+[[nodiscard]] T read_number(hid_t object, const char* name) {
+  T value{};
+  read_attribute(object, name, Number<T>::kind, sizeof(T), Number<T>::memory(), &value);
+  return value;
+}
+
+/// An attribute of one text of any length.   @throws Fault.
+[[nodiscard]] std::string read_text(hid_t object, const char* name);
+
+/// A dataset that may be read.
+struct Dataset {
+  std::string words;  ///< "dataset stress"
+  Handle id;
+  std::vector<hsize_t> extent;  ///< lengths of its axes; its data fill them
+};
+
+/// @throws Fault when it is missing, a link, of another type or number of axes, or when its data are not all
+/// in the file.
+[[nodiscard]] Dataset open_dataset(hid_t parent, const std::string& name, std::size_t rank, H5T_class_t kind,
+                                   std::size_t size);
+
+/// All of it, row by row.   @throws Fault when its checksum or its packing is wrong.
+void read_all(const Dataset& dataset, hid_t memory_type, void* values);
+
+/// @param allocate  given the extent, returns where to put the values.
+template <class T, class Allocate>
+void read_values(hid_t parent, const std::string& name, std::size_t rank, Allocate allocate) {
+  const Dataset dataset = open_dataset(parent, name, rank, Number<T>::kind, sizeof(T));
+  T* values = allocate(dataset.extent);
+  read_all(dataset, Number<T>::memory(), values);
+}
+
+}  // namespace mpm::hdf5

@@ -1,0 +1,104 @@
+#include "libmpm/run/run_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libmpm/solver/moving_start.hpp"
+
+namespace mpm {
+namespace {
+
+/// Without platens the strain is nominal: what the flight of the specimen would have made of its height.
+double strain_of(const Scene& scene, const Ledger& ledger) {
+  const Loading& loading = scene.loading;
+  const double shortening =
+      loading.direction == Direction::none
+          ? ledger.time * std::hypot(loading.initial_velocity_x, loading.initial_velocity_y)
+          : ledger.platen_displacement;
+  return shortening / scene.height();
+}
+
+/// Kinetic energy of a specimen in flight [J/m].
+double kinetic_energy_at_start(const Scene& scene, const Plan& plan) {
+  double energy = 0;
+  for (const StartPoint& point : start_of(scene, plan).points)
+    energy += 0.5 * point.mass * (point.vx * point.vx + point.vy * point.vy);
+  return energy;
+}
+
+/// Energy that came in from outside, at the start and since [J/m].
+double energy_put_in(const HistoryRow& row, const HistoryRow& first) {
+  return row.platen_work + first.kinetic;
+}
+
+double imbalance(const HistoryRow& row, const HistoryRow& first) {
+  return std::abs(energy_put_in(row, first) - row.kinetic - row.elastic - row.released - row.damped -
+                  row.left);
+}
+
+}  // namespace
+
+HistoryRow first_row(const Scene& scene, const Plan& plan) {
+  HistoryRow rest;
+  if (scene.loading.direction == Direction::none) rest.kinetic = kinetic_energy_at_start(scene, plan);
+  return rest;
+}
+
+HistoryRow history_row(const Scene& scene, const Ledger& ledger) {
+  const double sign = scene.loading.direction == Direction::tension ? 1.0 : -1.0;
+  HistoryRow row;
+  row.time = ledger.time;
+  row.strain = strain_of(scene, ledger);
+  row.stress_top = sign * ledger.force_top / scene.width();
+  row.stress_bottom = -sign * ledger.force_bottom / scene.width();
+  const bool flies = scene.loading.direction == Direction::none;  // then one wall is hit at a time
+  row.stress = (flies ? 1.0 : 0.5) * (row.stress_top + row.stress_bottom);
+  row.platen_work = ledger.platen_work;
+  row.kinetic = ledger.kinetic;
+  row.elastic = ledger.elastic;
+  row.released = ledger.released;
+  row.damped = ledger.damped;
+  row.left = ledger.left;
+  row.left_points = ledger.left_points;
+  row.tension_failures = ledger.tension_failures;
+  row.shear_failures = ledger.shear_failures;
+  return row;
+}
+
+void add_row(Result& result, const HistoryRow& row) {
+  result.history.push_back(row);
+  if (row.stress > result.peak_stress) {
+    result.peak_stress = row.stress;
+    result.peak_strain = row.strain;
+  }
+  result.tension_failures = row.tension_failures;
+  result.shear_failures = row.shear_failures;
+}
+
+double share_done(const Scene& scene, const HistoryRow& row) {
+  return scene.loading.direction == Direction::none ? row.time / scene.loading.duration
+                                                    : row.strain / scene.loading.stop_strain;
+}
+
+/// Kinetic, elastic and damped energy are none of them negative, and together no more than the work of the
+/// platens. In an unstable step they still add up, but with both signs and without bound: nodes that turn
+/// round at every step have a negative kinetic energy (the product of two successive velocities) beside an
+/// elastic one that grows as fast. The factor leaves room for rounding, for the first order of the damped
+/// energy, and for clipped cracks, which make energy (more than the work in what is released, so that this is
+/// no part of the sum).
+bool makes_energy(const HistoryRow& row, const HistoryRow& first) {
+  const double energy = std::abs(row.kinetic) + std::abs(row.elastic) + std::abs(row.damped);
+  return !(energy <= 10 * std::abs(energy_put_in(row, first)) + 1e-30);  // not-a-number is no energy either
+}
+
+void close_ledger(Result& result) {
+  double largest_work = 0;
+  double largest_imbalance = 0;
+  for (const HistoryRow& row : result.history) {
+    largest_work = std::max(largest_work, std::abs(energy_put_in(row, result.history.front())));
+    largest_imbalance = std::max(largest_imbalance, imbalance(row, result.history.front()));
+  }
+  result.energy_error = largest_work > 0 ? largest_imbalance / largest_work : 0;
+}
+
+}  // namespace mpm

@@ -1,0 +1,58 @@
+/// The material points of the pixels, as the sweeps read them.
+#pragma once
+
+#include <cstddef>
+
+#include "libmpm/kernels/aligned.hpp"
+#include "libmpm/material/failure.hpp"
+#include "libmpm/kernels/kernels.hpp"
+#include "libmpm/solver/plan.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "libmpm/material/strength_field.hpp"
+
+namespace mpm {
+
+/// Constants of the points, in planes by their place in the cell: shape (cells_y, K K, stride).
+/// The sweeps work with strain times cell size. With one Poisson ratio the stress is also divided by Young's
+/// modulus; without, it is multiplied by the point's share of its pixel. `scale` turns a stress [Pa] into
+/// that measure.
+template <class Real>
+struct LatticePoints {
+  int planes = 0;                        ///< K K
+  std::ptrdiff_t stride = 0;             ///< between planes: padded cells_x
+  AlignedVector<Real> stiffness, shear;  ///< shear: empty with one Poisson ratio
+  /// Empty where the plan has no use for them. cracked: see PointState. With one Poisson ratio the sweeps see
+  /// the stress of the intact point, so that thresholds grow as the stiffness is lost.
+  AlignedVector<float> tension, crush, cracked;
+
+  [[nodiscard]] std::ptrdiff_t row(int cell_row) const { return cell_row * planes * stride; }
+  [[nodiscard]] std::size_t at(int cell_row, int plane, int cell) const {
+    return static_cast<std::size_t>(row(cell_row) + plane * stride + cell);
+  }
+};
+
+/// Points of a scene with their thresholds drawn.
+template <class Real>
+[[nodiscard]] LatticePoints<Real> make_points(const Scene& scene, const Plan& plan,
+                                              const StrengthFactors& factors);
+
+/// What the place of a point says of it, and how it is written there.
+struct PointKind {
+  const Phase* phase = nullptr;
+  double factor = 1;  ///< on its strength [-]
+  double share = 1;   ///< of its pixel [-]
+};
+template <class Real>
+[[nodiscard]] PointState read_point(const LatticePoints<Real>& points, std::size_t at, const Scene& scene,
+                                    const Plan& plan, const PointKind& kind);
+template <class Real>
+void write_point(LatticePoints<Real>& points, std::size_t at, const Scene& scene, const Plan& plan,
+                 const PointKind& kind, const PointState& point);
+
+/// Factor from a stress [Pa] to the measure of the sweeps.
+[[nodiscard]] double threshold_scale(const Plan& plan, const Phase& phase, double share);
+
+/// Threshold as the sweeps keep it: never above the true one, so that nothing that fails is missed.
+[[nodiscard]] float stored_threshold(double stress, double scale);
+
+}  // namespace mpm

@@ -1,0 +1,297 @@
+#include "libmpm/solver/lattice/lattice_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "libmpm/kernels/flush_to_zero.hpp"
+#include "libmpm/kernels/instruction_set.hpp"
+
+namespace mpm {
+
+template <class Real>
+void LatticeSolver<Real>::ForceBuffer::resize(std::ptrdiff_t cells) {
+  // A lane of zeros in front (the cell left of the first node) and behind (the cells right of the last one).
+  length = cells + 3 * kernels::lane_cells;
+  values.assign(static_cast<std::size_t>(4 * length), Real(0));
+}
+
+template <class Real>
+kernels::NodeForces<Real> LatticeSolver<Real>::ForceBuffer::forces() {
+  Real* first = values.data() + kernels::lane_cells;
+  return {first, first + length, first + 2 * length, first + 3 * length};
+}
+
+template <class Real>
+kernels::NodeForces<const Real> LatticeSolver<Real>::ForceBuffer::forces() const {
+  const Real* first = values.data() + kernels::lane_cells;
+  return {first, first + length, first + 2 * length, first + 3 * length};
+}
+
+template <class Real>
+LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
+    : scene_(scene),
+      plan_(plan),
+      law_(damage_law(scene, plan.cell_size, false)),
+      factors_(scene, plan.softens),
+      grid_(make_grid(scene, plan)),
+      points_(make_points<Real>(scene, plan, factors_)),
+      extra_(make_extra_points(scene, plan)),
+      all_points_(count_points(scene)),
+      maps_(empty_maps(scene, plan)) {
+  const kernels::Kernels& kernels = chosen_kernels(scene.instruction_set);
+  kernels::Features features = plan.features;
+  sweep_cells_ = kernels.template cells<Real>(features);
+  features.ledger = false;
+  sweep_nodes_ = kernels.template nodes<Real>(features);
+  features.ledger = true;
+  sweep_nodes_ledger_ = kernels.template nodes<Real>(features);
+
+  Phase unit;
+  unit.young = 1;
+  unit.poisson = plan.poisson;
+  unit_stiffness_ = stiffness(unit, scene.plane);
+  if (!scene.extra_points.empty()) shares_ = points_per_pixel(scene);
+  const auto rows = static_cast<std::size_t>(grid_.rows);
+  row_sums_.assign(rows, {});
+  row_released_.assign(rows, 0.0);
+  row_damped_.assign(rows, 0.0);
+  no_force_.resize(points_.stride);
+  find_pinned_node();
+  make_bands();
+}
+
+template <class Real>
+void LatticeSolver<Real>::make_bands() {
+  const int count = std::clamp(plan_.threads, 1, plan_.cells_y);
+  bands_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    Band& band = bands_[static_cast<std::size_t>(i)];
+    band.begin = static_cast<int>(static_cast<std::int64_t>(plan_.cells_y) * i / count);
+    band.end = static_cast<int>(static_cast<std::int64_t>(plan_.cells_y) * (i + 1) / count);
+    for (ForceBuffer* buffer : {&band.upper[0], &band.upper[1], &band.lower, &band.first_lower})
+      buffer->resize(points_.stride);
+    band.suspects.assign(static_cast<std::size_t>(points_.stride), kernels::Flag<Real>{0});
+  }
+}
+
+/// A smooth platen leaves the specimen free to slide; the node nearest the middle of the bottom holds it.
+template <class Real>
+void LatticeSolver<Real>::find_pinned_node() {
+  const int middle = grid_.cols / 2;
+  const auto has_mass = [&](int col) {
+    return col >= 0 && col < grid_.cols && grid_.impulse_over_mass[static_cast<std::size_t>(col)] > 0;
+  };
+  pinned_ = middle;
+  for (int distance = 0; distance < grid_.cols; ++distance) {
+    if (has_mass(middle - distance))
+      pinned_ = middle - distance;
+    else if (has_mass(middle + distance))
+      pinned_ = middle + distance;
+    else
+      continue;
+    return;
+  }
+}
+
+template <class Real>
+Ledger LatticeSolver<Real>::advance(std::int64_t steps) {
+  steps = std::min(steps, plan_.steps + 1 - clock_.step);
+  Barrier barrier(static_cast<int>(bands_.size()));
+  const Clock start = clock_;
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < bands_.size(); ++i)
+      others.emplace_back([this, i, start, steps, &barrier] { (void)run_band(i, start, steps, barrier); });
+    clock_ = run_band(0, start, steps, barrier);
+  }
+  return balance();
+}
+
+template <class Real>
+typename LatticeSolver<Real>::Clock LatticeSolver<Real>::run_band(std::size_t index, Clock clock,
+                                                                  std::int64_t steps, Barrier& barrier) {
+  const FlushToZero flush;
+  for (std::int64_t i = 0; i < steps; ++i) {
+    const bool ledger = i + 1 == steps;
+    advance_clock(clock);
+    sweep_band(bands_[index], clock, ledger);
+    if (bands_.size() > 1) {
+      barrier.arrive_and_wait();
+      if (index > 0) {
+        Band& band = bands_[index];
+        sweep_node_row(band, band.begin, last_upper(bands_[index - 1]), band.first_lower, clock, ledger);
+      }
+      barrier.arrive_and_wait();
+    }
+    if (is_lost(clock)) break;
+  }
+  return clock;
+}
+
+/// From the state at the end of a step to that of the next: the velocity that the platen will have in it.
+template <class Real>
+void LatticeSolver<Real>::advance_clock(Clock& clock) const {
+  const double sign = scene_.loading.direction == Direction::tension ? 1.0 : -1.0;
+  clock.displacement += plan_.dt * clock.next_velocity;
+  clock.velocity = clock.next_velocity;
+  clock.next_velocity =
+      sign * scene_.loading.velocity * ramp(plan_, (static_cast<double>(clock.step) + 0.5) * plan_.dt);
+  ++clock.step;
+}
+
+template <class Real>
+const typename LatticeSolver<Real>::ForceBuffer& LatticeSolver<Real>::last_upper(const Band& band) const {
+  return band.upper[static_cast<std::size_t>((band.end - 1) % 2)];
+}
+
+/// One sweep upwards: the forces of a row of cells, and then the motion of the row of nodes below it, which
+/// is complete.
+template <class Real>
+void LatticeSolver<Real>::sweep_band(Band& band, const Clock& clock, bool ledger) {
+  const double strain = std::abs(clock.displacement) / scene_.height();
+  const ForceBuffer* below = &no_force_;
+  for (int row = band.begin; row < band.end; ++row) {
+    ForceBuffer& upper = band.upper[static_cast<std::size_t>(row % 2)];
+    const bool shared = row == band.begin && row > 0;
+    ForceBuffer& lower = shared ? band.first_lower : band.lower;
+    sweep_cell_row(band, row, lower, upper, strain);
+    if (row == 0) {
+      sweep_platen_row(band, row, *below, lower, clock);
+    } else if (!shared) {
+      sweep_node_row(band, row, *below, lower, clock, ledger);
+    }
+    below = &upper;
+  }
+  if (band.end == plan_.cells_y) sweep_platen_row(band, band.end, *below, no_force_, clock);
+}
+
+template <class Real>
+void LatticeSolver<Real>::sweep_cell_row(Band& band, int row, ForceBuffer& lower, ForceBuffer& upper,
+                                         double strain) {
+  const auto nodes = grid_.at(row);
+  const auto above = grid_.at(row + 1);
+  const auto at = points_.row(row);
+  const kernels::CellRow<Real> in{
+      .cells = static_cast<int>(points_.stride),
+      .stride = points_.stride,
+      .ux_lower = grid_.ux.data() + nodes,
+      .uy_lower = grid_.uy.data() + nodes,
+      .ux_upper = grid_.ux.data() + above,
+      .uy_upper = grid_.uy.data() + above,
+      .stiffness = points_.stiffness.data() + at,
+      .shear = points_.shear.empty() ? nullptr : points_.shear.data() + at,
+      .tension = points_.tension.empty() ? nullptr : points_.tension.data() + at,
+      .crush = points_.crush.empty() ? nullptr : points_.crush.data() + at,
+      .cracked = points_.cracked.empty() ? nullptr : points_.cracked.data() + at,
+      .unilateral = static_cast<Real>(scene_.damage.crack_closure == CrackClosure::unilateral ? 1 : 0),
+      .unit_axial = static_cast<Real>(unit_stiffness_(0, 0)),
+      .unit_lateral = static_cast<Real>(unit_stiffness_(0, 1)),
+      .unit_shear = static_cast<Real>(unit_stiffness_(2, 2)),
+      .lower = lower.forces(),
+      .upper = upper.forces(),
+      .suspects = band.suspects.data(),
+  };
+  // Points that fail carry nothing from this very step on, so the row is swept again without them.
+  if (sweep_cells_(in) != 0 && fail_suspects(band, row, strain)) (void)sweep_cells_(in);
+  if (!extra_.points.empty()) sweep_extra_points(band, row, in.lower, in.upper, strain);
+}
+
+template <class Real>
+void LatticeSolver<Real>::sweep_node_row(Band& band, int row, const ForceBuffer& below,
+                                         const ForceBuffer& above, const Clock& clock, bool ledger) {
+  const auto at = grid_.at(row);
+  const kernels::NodeRow<Real> in{
+      .nodes = padded(grid_.cols),
+      .below = below.forces(),
+      .above = above.forces(),
+      .ux = grid_.ux.data() + at,
+      .uy = grid_.uy.data() + at,
+      .vx = grid_.vx.data() + at,
+      .vy = grid_.vy.data() + at,
+      .impulse_over_mass = grid_.impulse_over_mass.data() + at,
+      .dt = plan_.dt,
+      .damping = scene_.local_damping,
+  };
+  const kernels::NodeSums sums = ledger ? sweep_nodes_ledger_(in) : sweep_nodes_(in);
+  const auto index = static_cast<std::size_t>(row);
+  if (ledger) row_sums_[index] = sums;
+  row_damped_[index] += sums.damped;
+  if (!std::isfinite(sums.velocity)) note_loss(band, row, clock);
+}
+
+/// The rows of nodes that a platen moves: their vertical motion is given, and what it takes is the reaction.
+template <class Real>
+void LatticeSolver<Real>::sweep_platen_row(Band& band, int row, const ForceBuffer& below,
+                                           const ForceBuffer& above, const Clock& clock) {
+  const bool top = row > 0;
+  const double old_velocity = top ? clock.velocity : 0;
+  const double new_velocity = top ? clock.next_velocity : 0;
+  const auto lower = below.forces();
+  const auto upper = above.forces();
+  kernels::NodeSums sums{};
+  double reaction = 0;
+  for (int col = 0; col < grid_.cols; ++col) {
+    const auto at = static_cast<std::size_t>(grid_.at(row, col));
+    const double w = grid_.impulse_over_mass[at];
+    const auto fx = static_cast<double>((upper.left_x[col] + upper.right_x[col - 1]) +
+                                        (lower.left_x[col] + lower.right_x[col - 1]));
+    const auto fy = static_cast<double>((upper.left_y[col] + upper.right_y[col - 1]) +
+                                        (lower.left_y[col] + lower.right_y[col - 1]));
+    const double vx0 = grid_.vx[at];
+    const bool held = scene_.loading.platen == Platen::rough || (!top && col == pinned_);
+    const double drag = held ? 0.0 : -scene_.local_damping * std::abs(fx) * ((vx0 > 0) - (vx0 < 0));
+    const double vx1 = held ? 0.0 : vx0 + w * (fx + drag);
+    reaction += (w > 0 ? (new_velocity - old_velocity) / w : 0.0) - fy;
+    if (w > 0) {
+      sums.momentum_rate += (vx0 * vx1 + old_velocity * new_velocity) / w;
+      sums.damped -= 0.5 * drag * (vx0 + vx1);
+    }
+    sums.force_work += grid_.ux[at] * fx + grid_.uy[at] * fy;
+    grid_.vx[at] = vx1;
+    grid_.vy[at] = new_velocity;
+    grid_.ux[at] += plan_.dt * vx1;
+    grid_.uy[at] += plan_.dt * new_velocity;
+  }
+  row_sums_[static_cast<std::size_t>(row)] = sums;
+  row_damped_[static_cast<std::size_t>(row)] += sums.damped;
+  record_reaction(top, reaction / points_.planes, clock);
+  if (!std::isfinite(reaction)) note_loss(band, row, clock);
+}
+
+template <class Real>
+void LatticeSolver<Real>::record_reaction(bool top, double reaction, const Clock& clock) {
+  Reaction& platen = top ? top_ : bottom_;
+  platen.work += 0.5 * (platen.force + reaction) * plan_.dt * (top ? clock.velocity : 0.0);
+  platen.force = reaction;
+}
+
+template <class Real>
+Ledger LatticeSolver<Real>::balance() const {
+  Ledger ledger;
+  ledger.time = static_cast<double>(clock_.step - 1) * plan_.dt;
+  ledger.platen_displacement = std::abs(clock_.displacement);
+  ledger.force_top = top_.force;
+  ledger.force_bottom = bottom_.force;
+  ledger.platen_work = top_.work;
+  const double to_force = 1.0 / points_.planes;
+  for (std::size_t row = 0; row < row_sums_.size(); ++row) {
+    ledger.kinetic += 0.5 * to_force * plan_.dt * row_sums_[row].momentum_rate;
+    ledger.elastic -= 0.5 * to_force * row_sums_[row].force_work;
+    ledger.damped += to_force * plan_.dt * row_damped_[row];
+    ledger.released += row_released_[row];
+  }
+  ledger.carrying_points = all_points_;
+  for (const Band& band : bands_) {
+    ledger.tension_failures += band.tension_failures;
+    ledger.shear_failures += band.shear_failures;
+    ledger.carrying_points -= band.dead;
+  }
+  ledger.diverged_at = first_loss().step;
+  return ledger;
+}
+
+template class LatticeSolver<float>;
+template class LatticeSolver<double>;
+
+}  // namespace mpm

@@ -1,0 +1,178 @@
+/// Small strain on the fixed lattice of pixels: points keep their place in their cell, so that weights are
+/// constants and the stress of a live point is C : strain(u), which need not be stored.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "libmpm/solver/archive.hpp"
+#include "libmpm/solver/barrier.hpp"
+#include "libmpm/solver/lattice/extra_points.hpp"
+#include "libmpm/solver/frame.hpp"
+#include "libmpm/solver/grid.hpp"
+#include "libmpm/solver/lattice/lattice_points.hpp"
+#include "libmpm/solver/ledger.hpp"
+#include "libmpm/solver/moving_start.hpp"
+#include "libmpm/solver/plan.hpp"
+#include "libmpm/scene/result.hpp"
+#include "libmpm/scene/scene.hpp"
+
+namespace mpm {
+
+template <class Real>
+class LatticeSolver {
+ public:
+  /// The scene and the plan must outlive the solver.
+  LatticeSolver(const Scene& scene, const Plan& plan);
+
+  /// Take up to `steps` time steps (>= 1) on all threads, but none beyond the last of the plan, nor beyond
+  /// one in which something is no number; the ledger is that of the last of them.
+  [[nodiscard]] Ledger advance(std::int64_t steps);
+
+  [[nodiscard]] std::int64_t steps() const { return clock_.step; }
+  /// The state that a step begins with is the one it reports, so the last step is one past the strain asked
+  /// for.
+  [[nodiscard]] bool is_done() const { return clock_.step > plan_.steps; }
+
+  /// Whether small strain ends: a live point is strained, or a node has moved, more than the limits say.
+  [[nodiscard]] bool outgrows(const Handover& limits) const;
+  /// What moving points go on from: mass, momentum and stress are kept. The failure maps are moved out.
+  [[nodiscard]] MovingStart hand_over();
+
+  /// The points as they are at the time of the last ledger; all of the frame but its row of the history.
+  void fill(Frame& frame) const;
+
+  /// Failure maps so far.
+  void copy_maps(Result& result) const;
+
+  /// All that the next steps depend on, whatever the number of threads; for a solver that has taken a step.
+  void save(ArchiveWriter& archive) const;
+  /// The same into a solver that has taken none, of the same scene but for its threads. A state that cannot
+  /// be is noted in the archive; the solver is then of no use.
+  void restore(ArchiveReader& archive);
+
+  [[nodiscard]] double dt() const { return plan_.dt; }  ///< [s]
+  /// The point where numbers ceased to be numbers, else the one with the most elastic energy, by name.
+  [[nodiscard]] std::string worst_point() const;
+
+ private:
+  /// Forces on the two rows of nodes of a row of cells, with a zero in front that belongs to no cell.
+  struct ForceBuffer {
+    AlignedVector<Real> values;
+    std::ptrdiff_t length = 0;
+    void resize(std::ptrdiff_t cells);
+    [[nodiscard]] kernels::NodeForces<Real> forces();
+    [[nodiscard]] kernels::NodeForces<const Real> forces() const;
+  };
+
+  /// The first node that was no number.
+  struct Loss {
+    std::int64_t step = -1;  ///< -1 = all are numbers
+    int row = 0, col = 0;    ///< of the node
+  };
+
+  /// The rows of cells of one thread. Its lowest row of nodes is shared with the band below.
+  struct Band {
+    int begin = 0, end = 0;            ///< rows of cells
+    std::array<ForceBuffer, 2> upper;  ///< of the row at hand and of the one below it, in turn
+    ForceBuffer lower;                 ///< of the row at hand
+    ForceBuffer first_lower;           ///< of the lowest row, kept until the band below is done
+    AlignedVector<kernels::Flag<Real>> suspects;
+    std::int64_t tension_failures = 0, shear_failures = 0;
+    std::int64_t dead = 0;  ///< points that have lost all stiffness
+    Loss loss;
+  };
+
+  /// Where the platen stands; every thread keeps its own, they are equal.
+  struct Clock {
+    std::int64_t step = 0;     ///< number of the step, from 1
+    double displacement = 0;   ///< of the top platen at the beginning of the step, upwards positive [m]
+    double velocity = 0;       ///< in the step before [m/s]
+    double next_velocity = 0;  ///< in the step [m/s]
+  };
+
+  /// What a platen does to the specimen.
+  struct Reaction {
+    double force = 0;  ///< upwards positive [N/m]
+    double work = 0;   ///< [J/m]
+  };
+
+  /// Stress now and at the end of the step before [Pa].
+  struct StepStress {
+    Stress<double> now, before;
+  };
+
+  void make_bands();
+  void find_pinned_node();
+  Clock run_band(std::size_t index, Clock clock, std::int64_t steps, Barrier& barrier);
+  void advance_clock(Clock& clock) const;
+  void sweep_band(Band& band, const Clock& clock, bool ledger);
+  [[nodiscard]] const ForceBuffer& last_upper(const Band& band) const;
+  void sweep_cell_row(Band& band, int row, ForceBuffer& lower, ForceBuffer& upper, double strain);
+  void sweep_node_row(Band& band, int row, const ForceBuffer& below, const ForceBuffer& above,
+                      const Clock& clock, bool ledger);
+  void sweep_platen_row(Band& band, int row, const ForceBuffer& below, const ForceBuffer& above,
+                        const Clock& clock);
+  void note_loss(Band& band, int row, const Clock& clock) const;
+  [[nodiscard]] bool is_lost(const Clock& clock);
+  [[nodiscard]] Loss first_loss() const;
+  [[nodiscard]] std::string point_at_node(int row, int col) const;
+  void record_reaction(bool top, double reaction, const Clock& clock);
+  [[nodiscard]] Ledger balance() const;
+  [[nodiscard]] bool strains_more_than(double limit) const;
+  [[nodiscard]] bool strays_more_than(double limit) const;
+  [[nodiscard]] PointState state_of(int pixel_row, int pixel_col, std::size_t at) const;
+  [[nodiscard]] bool is_intact(int row, int plane, int cell) const;
+  void hand_over_pixels(MovingStart& start) const;
+  void hand_over_extra_points(MovingStart& start) const;
+  [[nodiscard]] StartPoint moved(int row, int cell, double xi, double eta, const Eigen::Matrix3d& c,
+                                 const CellDisplacement& u) const;
+  void add_pixels(Frame& frame) const;
+  void add_extra_points(Frame& frame) const;
+  [[nodiscard]] FramePoint frame_point(const StartPoint& point, const PointState& state) const;
+  [[nodiscard]] CellDisplacement velocity(int row, int cell) const;
+
+  [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
+  [[nodiscard]] CellDisplacement displacement_before(int row, int cell) const;
+  [[nodiscard]] StepStress stress_at(const Eigen::Matrix3d& c, int row, int cell, double xi,
+                                     double eta) const;
+  bool fail_suspects(Band& band, int row, double strain);
+  bool fail_point(Band& band, int row, int plane, int cell, double strain);
+  static void count(Band& band, FailureMode mode);
+  static void count_dead(Band& band, const PointState& before, const PointState& after);
+  void record_failure(const Pixel& pixel, FailureMode mode, double strain);
+  [[nodiscard]] double released_energy(const PointState& before, const PointState& after,
+                                       const StepStress& elastic) const;
+  void sweep_extra_points(Band& band, int row, const kernels::NodeForces<Real>& lower,
+                          const kernels::NodeForces<Real>& upper, double strain);
+  void fail_extra_point(Band& band, int row, CellPoint& point, const Stress<double>& elastic, double strain);
+
+  template <class Archive, class Self>
+  static void pass(Archive& archive, Self& self);
+
+  const Scene& scene_;
+  const Plan& plan_;
+  DamageLaw law_;
+  StrengthFactors factors_;
+  Grid grid_;
+  LatticePoints<Real> points_;
+  ExtraPoints extra_;
+  std::int64_t all_points_ = 0;
+  Lattice<std::uint16_t> shares_;   ///< points a pixel; empty when there are no extra points
+  Eigen::Matrix3d unit_stiffness_;  ///< of a phase with E = 1 and the plan's Poisson ratio [-]
+  kernels::SweepCells<Real> sweep_cells_;
+  kernels::SweepNodes<Real> sweep_nodes_;
+  kernels::SweepNodes<Real> sweep_nodes_ledger_;
+  ForceBuffer no_force_;
+  std::vector<Band> bands_;
+  std::vector<kernels::NodeSums> row_sums_;
+  std::vector<double> row_released_, row_damped_;  ///< [J/m]
+  int pinned_ = 0;                                 ///< column of the node that a smooth bottom platen holds
+  Clock clock_;
+  Reaction top_, bottom_;
+  FailureMaps maps_;
+};
+
+}  // namespace mpm

@@ -1,0 +1,58 @@
+/// The labelled pixel mask: which phase each pixel of the specimen is made of.
+///
+/// Orientation, said here once: row 0 is the TOP of the picture; x points right, y points UP;
+/// the origin is the bottom left corner of the specimen. The centre of pixel (row, col) lies at
+///   x = (col + 1/2) d,   y = (rows - row - 1/2) d,   d = pixel_size,
+/// so the bottom left pixel (rows - 1, 0) has its centre half a pixel inside both edges.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "specimen/body/raster.hpp"
+
+namespace specimen {
+
+/// Position or vector in the plane of the specimen [m].
+struct Point {
+  double x = 0;
+  double y = 0;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// Labels with a fixed meaning; labels above 3 are phases named by the user, up to 255.
+namespace phase {
+inline constexpr std::uint8_t void_ = 0;
+inline constexpr std::uint8_t aggregate = 1;
+inline constexpr std::uint8_t mortar = 2;
+inline constexpr std::uint8_t itz = 3;
+}  // namespace phase
+
+/// Names of the four phases with a fixed label, in the order of their labels.
+[[nodiscard]] std::vector<std::string> standard_phases();
+
+/// Phases of a specimen, one label per pixel.
+struct LabelledMask {
+  Raster<std::uint8_t> labels;                          ///< label per pixel, shape (rows, cols), row 0 on top
+  double pixel_size = 0;                                ///< edge of a pixel [m], > 0
+  std::vector<std::string> phases = standard_phases();  ///< phases[label] is the name of the label
+
+  [[nodiscard]] double width() const { return labels.cols * pixel_size; }   ///< [m]
+  [[nodiscard]] double height() const { return labels.rows * pixel_size; }  ///< [m]
+  /// Centre of a pixel [m].
+  [[nodiscard]] Point centre(int row, int col) const {
+    return {(col + 0.5) * pixel_size, (labels.rows - row - 0.5) * pixel_size};
+  }
+  friend bool operator==(const LabelledMask&, const LabelledMask&) = default;
+};
+
+/// Label of a phase name; adds the name to `phases` where it is new.
+/// @throws Error when 256 phases are already named or the name is empty.
+std::uint8_t label_of(std::vector<std::string>& phases, std::string_view name);
+
+/// Number of pixels per label, shape (phases.size()).
+[[nodiscard]] std::vector<std::int64_t> count_labels(const LabelledMask& mask);
+
+}  // namespace specimen

@@ -1,0 +1,127 @@
+#include "specimen/body/measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "specimen/body/components.hpp"
+
+namespace specimen {
+namespace {
+
+/// Sums over the pixels of a grain; x and y are the centres of the pixels [px], y upwards.
+struct Moments {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  void add(double px, double py) {
+    n += 1, x += px, y += py;
+    xx += px * px, xy += px * py, yy += py * py;
+  }
+};
+
+struct Pixel {
+  int row = -1, col = -1;
+};
+
+/// Where to start round each grain: the first pixel of its largest piece.
+std::vector<Pixel> starts(const Raster<std::int32_t>& instances, std::size_t grains) {
+  const Components pieces = connected_pieces(instances, Connectivity::edges);
+  std::vector<std::int64_t> largest(grains, 0);
+  std::vector<Pixel> start(grains);
+  for (int r = 0; r < instances.rows; ++r)
+    for (int c = 0; c < instances.cols; ++c) {
+      if (instances(r, c) == 0) continue;
+      const auto grain = static_cast<std::size_t>(instances(r, c) - 1);
+      const std::int64_t area = pieces.area[static_cast<std::size_t>(pieces.piece(r, c))];
+      if (area <= largest[grain]) continue;
+      largest[grain] = area;
+      start[grain] = {r, c};
+    }
+  return start;
+}
+
+/// Walk along the pixel edges with the grain on the left, from the top edge of its first pixel.
+/// @return middles of the edges [px], y upwards, counter-clockwise.
+std::vector<Point> walk_round(const Raster<std::int32_t>& instances, Pixel start) {
+  const std::int32_t id = instances(start.row, start.col);
+  const auto inside = [&](int row, int col) {
+    return instances.contains(row, col) && instances(row, col) == id;
+  };
+  // Directions right, up, left, down; a turn to the left is the next one. Corner (r, c) is the top left one
+  // of pixel (r, c); the pixels ahead of it on the left and on the right, by direction:
+  constexpr std::array<std::array<int, 2>, 4> step{{{0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
+  constexpr std::array<std::array<int, 2>, 4> left{{{-1, 0}, {-1, -1}, {0, -1}, {0, 0}}};
+  constexpr std::array<std::array<int, 2>, 4> right{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
+  int r = start.row, c = start.col + 1;
+  std::size_t d = 2;
+  std::vector<Point> middles;
+  do {
+    middles.push_back({c + step[d][1] / 2.0, instances.rows - (r + step[d][0] / 2.0)});
+    r += step[d][0];
+    c += step[d][1];
+    if (!inside(r + left[d][0], c + left[d][1]))
+      d = (d + 1) % 4;
+    else if (inside(r + right[d][0], c + right[d][1]))
+      d = (d + 3) % 4;
+  } while (r != start.row || c != start.col + 1 || d != 2);
+  return middles;
+}
+
+double length_of(const std::vector<Point>& polygon) {
+  double length = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    length += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  return length;
+}
+
+Ellipse ellipse_of(const Moments& m) {
+  const double x = m.x / m.n, y = m.y / m.n;
+  const double own = 1.0 / 12;  // second moment of a pixel about its own centre
+  const double xx = m.xx / m.n - x * x + own, yy = m.yy / m.n - y * y + own, xy = m.xy / m.n - x * y;
+  const double mean = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
+  const double aspect = std::sqrt((mean + half) / (mean - half));
+  const double area = m.n;
+  Ellipse e{x, y, std::sqrt(area * aspect / std::numbers::pi), std::sqrt(area / aspect / std::numbers::pi),
+            0};
+  if (half > 1e-9 * mean) e.angle = 0.5 * std::atan2(2 * xy, xx - yy);
+  if (e.angle < 0) e.angle += std::numbers::pi;
+  if (e.angle >= std::numbers::pi) e.angle = 0;  // a tiny negative angle rounds up to pi
+  return e;
+}
+
+}  // namespace
+
+std::vector<Inclusion> measure_inclusions(const Raster<std::int32_t>& instances, double pixel_size) {
+  const std::int32_t grains =
+      instances.empty() ? 0 : *std::max_element(instances.data.begin(), instances.data.end());
+  std::vector<Moments> moments(static_cast<std::size_t>(grains));
+  for (int r = 0; r < instances.rows; ++r)
+    for (int c = 0; c < instances.cols; ++c)
+      if (const std::int32_t id = instances(r, c); id > 0)
+        moments[static_cast<std::size_t>(id - 1)].add(c + 0.5, instances.rows - r - 0.5);
+  const std::vector<Pixel> start = starts(instances, moments.size());
+
+  const double d = pixel_size;
+  const double staircase = std::numbers::pi / (8 * (std::numbers::sqrt2 - 1));
+  std::vector<Inclusion> inclusions;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    Inclusion inclusion;
+    inclusion.id = static_cast<int>(i) + 1;
+    const Ellipse e = ellipse_of(moments[i]);
+    inclusion.ellipse = {e.x * d, e.y * d, e.a * d, e.b * d, e.angle};
+    inclusion.orientation = e.angle;
+    inclusion.contour = walk_round(instances, start[i]);
+    inclusion.perimeter = length_of(inclusion.contour) * staircase * d;
+    for (Point& p : inclusion.contour) p = {p.x * d, p.y * d};
+    inclusion.area = moments[i].n * d * d;
+    inclusion.equivalent_diameter = 2 * std::sqrt(inclusion.area / std::numbers::pi);
+    inclusions.push_back(std::move(inclusion));
+  }
+  return inclusions;
+}
+
+}  // namespace specimen

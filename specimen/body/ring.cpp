@@ -1,0 +1,178 @@
+#include "specimen/body/ring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <unordered_set>
+
+#include "specimen/body/error.hpp"
+#include "specimen/body/plane.hpp"
+#include "specimen/body/rotation.hpp"
+#include "specimen/body/wording.hpp"
+
+namespace specimen {
+namespace {
+
+void check_segments(int segments) {
+  constexpr int least = 3, most = 100'000;
+  if (segments < least || segments > most) {
+    throw Error("itz.segments", std::to_string(segments),
+                "must be between " + std::to_string(least) + " and " + std::to_string(most),
+                "the paper's rings have 36");
+  }
+}
+
+std::vector<Point> cut_ellipse(const Ellipse& e, int segments) {
+  const Rotation axis = rotation_by(e.angle);
+  std::vector<Point> vertices;
+  vertices.reserve(static_cast<std::size_t>(segments));
+  for (int k = 0; k < segments; ++k) {
+    const Rotation t = rotation_by(2 * std::numbers::pi * k / segments);
+    const Point along = (e.a * t.cos) * Point{axis.cos, axis.sin};
+    const Point across = (e.b * t.sin) * Point{-axis.sin, axis.cos};
+    vertices.push_back(Point{e.x, e.y} + along + across);
+  }
+  return vertices;
+}
+
+double length_of(const std::vector<Point>& contour) {
+  double sum = 0;
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    sum += length(contour[(i + 1) % contour.size()] - contour[i]);
+  }
+  return sum;
+}
+
+std::vector<Point> cut_contour(const std::vector<Point>& contour, int segments) {
+  const double step = length_of(contour) / segments;
+  std::vector<Point> vertices;
+  vertices.reserve(static_cast<std::size_t>(segments));
+  double walked = 0;  // along the contour, up to the corner i
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const Point from = contour[i], edge = contour[(i + 1) % contour.size()] - from;
+    const double edge_length = length(edge);
+    for (;;) {
+      const double along = step * static_cast<double>(vertices.size()) - walked;
+      if (along >= edge_length || static_cast<int>(vertices.size()) == segments) break;
+      vertices.push_back(from + (along / edge_length) * edge);
+    }
+    walked += edge_length;
+  }
+  // Rounding may end the walk a hair before the last corner; a contour without length has them all in one.
+  while (static_cast<int>(vertices.size()) < segments) vertices.push_back(contour.front());
+  return vertices;
+}
+
+// The part of a row of pixels that lies within `thickness` of a segment. The region is convex, so the row
+// cuts it in one interval, which ends on one of the two caps or on one of the two long sides.
+struct Interval {
+  double left = infinite, right = -infinite;
+  void include(double x) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+  }
+};
+
+void include_cap(Interval& interval, Point end, double y, double thickness) {
+  const double dy = y - end.y, dx2 = thickness * thickness - dy * dy;
+  if (dx2 < 0) return;
+  interval.include(end.x - std::sqrt(dx2));
+  interval.include(end.x + std::sqrt(dx2));
+}
+
+void include_side(Interval& interval, Point from, Point to, double y) {
+  const double t = (y - from.y) / (to.y - from.y);
+  if (t >= 0 && t <= 1) interval.include(from.x + t * (to.x - from.x));  // false for a level side
+}
+
+Interval row_near_segment(Point from, Point to, double y, double thickness) {
+  Interval interval;
+  include_cap(interval, from, y, thickness);
+  include_cap(interval, to, y, thickness);
+  const double size = length(to - from);
+  if (size > 0) {
+    const Point aside = (thickness / size) * turned_left(to - from);
+    include_side(interval, from + aside, to + aside, y);
+    include_side(interval, from - aside, to - aside, y);
+  }
+  return interval;
+}
+
+// First and last index 0 ... count - 1 of pixels whose centres lie between two positions.
+struct Span {
+  int first, last;
+};
+Span centres_between(double low, double high, double pixel_size, int count) {
+  constexpr double slack = 1e-9;  // [pixels]: a centre right at the limit belongs to it
+  const auto within = [count](double at) { return std::clamp(at, -1.0, static_cast<double>(count)); };
+  return {std::max(0, static_cast<int>(within(std::ceil(low / pixel_size - 0.5 - slack)))),
+          std::min(count - 1, static_cast<int>(within(std::floor(high / pixel_size - 0.5 + slack))))};
+}
+
+void turn_mortar_to_itz(std::uint8_t& label) {
+  if (label == phase::mortar) label = phase::itz;
+}
+
+void draw_segment(LabelledMask& mask, Point from, Point to, double thickness) {
+  const int rows = mask.labels.rows;
+  const Span up = centres_between(std::min(from.y, to.y) - thickness, std::max(from.y, to.y) + thickness,
+                                  mask.pixel_size, rows);
+  for (int k = up.first; k <= up.last; ++k) {
+    const Interval x = row_near_segment(from, to, (k + 0.5) * mask.pixel_size, thickness);
+    if (x.left > x.right) continue;
+    const Span across = centres_between(x.left, x.right, mask.pixel_size, mask.labels.cols);
+    for (int col = across.first; col <= across.last; ++col)
+      turn_mortar_to_itz(mask.labels(rows - 1 - k, col));
+  }
+}
+
+// Mortar pixels that share an edge with one of the inclusions.
+void close_rings(LabelledMask& mask, const Raster<std::int32_t>& instances,
+                 const std::unordered_set<std::int32_t>& ids) {
+  const auto listed = [&](int row, int col) {
+    return instances.contains(row, col) && instances(row, col) != 0 && ids.count(instances(row, col)) > 0;
+  };
+  for (int row = 0; row < instances.rows; ++row) {
+    for (int col = 0; col < instances.cols; ++col) {
+      if (mask.labels(row, col) != phase::mortar) continue;
+      if (listed(row - 1, col) || listed(row + 1, col) || listed(row, col - 1) || listed(row, col + 1))
+        mask.labels(row, col) = phase::itz;
+    }
+  }
+}
+
+}  // namespace
+
+Ring make_ring(const Inclusion& inclusion, int segments) {
+  check_segments(segments);
+  return {inclusion.id, inclusion.contour.empty() ? cut_ellipse(inclusion.ellipse, segments)
+                                                  : cut_contour(inclusion.contour, segments)};
+}
+
+void draw_rings(LabelledMask& mask, const Raster<std::int32_t>& instances, const std::vector<Ring>& rings,
+                double thickness) {
+  if (!(thickness > 0) || !std::isfinite(thickness))
+    throw Error("itz.thickness", millimetres(thickness), "must be > 0");
+  if (instances.rows != mask.labels.rows || instances.cols != mask.labels.cols) {
+    const auto shape = [](const auto& raster) {
+      return std::to_string(raster.cols) + " x " + std::to_string(raster.rows);
+    };
+    throw Error("instances", shape(instances) + " pixels",
+                "must have the shape of the mask, " + shape(mask.labels) + " pixels");
+  }
+  std::unordered_set<std::int32_t> ids;
+  for (const Ring& ring : rings) {
+    ids.insert(ring.inclusion);
+    for (std::size_t i = 0; i < ring.vertices.size(); ++i)
+      draw_segment(mask, ring.vertices[i], ring.vertices[(i + 1) % ring.vertices.size()], thickness);
+  }
+  close_rings(mask, instances, ids);
+}
+
+void draw_ring(LabelledMask& mask, const Raster<std::int32_t>& instances, const Ring& ring,
+               double thickness) {
+  draw_rings(mask, instances, {ring}, thickness);
+}
+
+}  // namespace specimen

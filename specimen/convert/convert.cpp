@@ -1,0 +1,204 @@
+#include "specimen/convert/convert.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "specimen/convert/clean.hpp"
+#include "specimen/convert/convert_options.hpp"
+#include "specimen/body/error.hpp"
+#include "specimen/convert/grains.hpp"
+#include "specimen/body/measure.hpp"
+#include "specimen/body/notes.hpp"
+#include "specimen/picture/picture.hpp"
+#include "specimen/convert/resample.hpp"
+#include "specimen/convert/segment.hpp"
+
+namespace specimen {
+namespace {
+
+/// What cleaning will do, in pixels of the raster that is cleaned; 0 = not at all.
+struct CleaningPlan {
+  double open = 0, close = 0;  ///< radii [px]
+  bool open_voids = false;     ///< with the same radius as the aggregates
+  LeastArea least{};           ///< [px]
+  bool settle_minerals =
+      false;  ///< dark spots of aggregates are no voids, light spots of voids no aggregates
+  bool fill_holes = false;
+};
+
+/// Automatic cleaning of a photograph: radii of 0.5 % of the shorter side; islands of aggregate and mortar
+/// below 1 % of the largest aggregate (a tenth of its diameter: that is sand, and belongs to the mortar) or
+/// 0.3 % of the picture, voids below 0.05 % of the picture. A drawing loses specks below 0.02 % of the
+/// picture.
+CleaningPlan plan_cleaning(const Sorted& sorted, const ConvertOptions& o, double cell_size) {
+  CleaningPlan plan;
+  const double side = std::min(sorted.cells.rows, sorted.cells.cols);
+  const auto area = static_cast<double>(sorted.cells.size());
+  const double automatic_radius = sorted.photograph ? 0.005 * side : 0;
+  plan.open = o.open < 0 ? automatic_radius : static_cast<double>(o.open) / sorted.factor;
+  plan.close = o.close < 0 ? automatic_radius : static_cast<double>(o.close) / sorted.factor;
+  plan.open_voids = o.open < 0 && plan.open > 0;
+  plan.settle_minerals = o.drop_islands < 0 && sorted.photograph;
+  if (o.drop_islands >= 0) {
+    plan.least.fill(o.drop_islands / (cell_size * cell_size));
+  } else if (sorted.photograph) {
+    const auto largest = static_cast<double>(largest_aggregate(sorted.cells));
+    plan.least.fill(std::min(0.01 * largest, 0.003 * area));
+    plan.least[phase::void_] = std::min(plan.least[phase::mortar], 0.0005 * area);
+  } else if (sorted.drawing) {
+    plan.least.fill(0.0002 * area);
+  }
+  plan.fill_holes = o.fill_holes;
+  return plan;
+}
+
+void note_change(ConvertReport& report, const std::string& what, std::int64_t pixels, std::size_t all) {
+  report.notes.push_back(what + ", " + share_text(static_cast<double>(pixels), static_cast<double>(all)) +
+                         " of the area");
+}
+
+void clean(Raster<Cell>& cells, const CleaningPlan& plan, double cell_size, ConvertReport& report) {
+  const auto radius_text = [&](double radius) { return length_text(radius * cell_size); };
+  if (plan.open_voids) {
+    const Changed c = open_phase(cells, phase::void_, plan.open);
+    note_change(report, "opened voids by " + radius_text(plan.open), c.pixels, cells.size());
+  }
+  if (plan.close > 0) {
+    const Changed c = close_aggregates(cells, plan.close);
+    note_change(report, "closed aggregates by " + radius_text(plan.close), c.pixels, cells.size());
+  }
+  if (plan.open > 0) {
+    const Changed c = open_phase(cells, phase::aggregate, plan.open);
+    note_change(report, "opened aggregates by " + radius_text(plan.open), c.pixels, cells.size());
+  }
+  if (plan.settle_minerals) {
+    constexpr double mostly = 0.6;
+    const Changed minerals = absorb(cells, phase::void_, phase::aggregate, mostly);
+    note_change(report, "took " + counted(minerals.pieces, "void") + " inside aggregates for dark minerals",
+                minerals.pixels, cells.size());
+    const Changed walls = absorb(cells, phase::aggregate, phase::void_, mostly);
+    note_change(report, "took " + counted(walls.pieces, "aggregate") + " inside voids for their walls",
+                walls.pixels, cells.size());
+  }
+  if (plan.least[phase::mortar] > 0) {
+    const Changed c = drop_islands(cells, plan.least);
+    const double pixel_area = cell_size * cell_size;
+    const bool one = plan.least[phase::void_] == plan.least[phase::mortar];
+    note_change(report,
+                "dropped " + counted(c.pieces, "island") + " below " +
+                    area_text(plan.least[phase::mortar] * pixel_area) +
+                    (one ? "" : " (voids: " + area_text(plan.least[phase::void_] * pixel_area) + ")"),
+                c.pixels, cells.size());
+  }
+  if (plan.fill_holes) {
+    const Changed c = fill_holes(cells);
+    note_change(report, "filled " + counted(c.pieces, "hole") + " of aggregates", c.pixels, cells.size());
+  }
+}
+
+void separate_grains(Sorted& sorted, const ConvertOptions& o, ConvertReport& report) {
+  if (sorted.keeps_grains) {
+    if (o.split_touching)
+      report.notes.emplace_back("split nothing: the picture tells the grains apart itself");
+    return;
+  }
+  const int before = number_grains(sorted.cells);
+  if (!o.split_touching) return;
+  const int after = split_grains(sorted.cells, o.split_depth);
+  report.notes.push_back("split " + counted(before, "aggregate") + " at their necks into " + grouped(after));
+}
+
+/// Bring the cells to the pixels of the mask.   @return the pixel size [m].
+double resample(Sorted& sorted, const Picture& picture, const ConvertOptions& o, double source_pixel,
+                ConvertReport& report) {
+  if (o.pixels == 0) return source_pixel;
+  const Resampling to = choose_mask_size(picture.rows(), picture.cols(), sorted.factor, o.pixels);
+  sorted.cells = resampled(sorted.cells, to);
+  report.notes.push_back("brought " + grouped(picture.cols()) + " x " + grouped(picture.rows()) +
+                         " pixels to " + grouped(to.cols) + " x " + grouped(to.rows) +
+                         (to.cols > to.source_cols ? " by the nearest" : " by majority"));
+  const double left_out = picture.rows() - to.rows * to.ratio();
+  if (left_out > 0.01)
+    report.notes.push_back("left out " + short_number(left_out) +
+                           " pixel rows at the bottom, so that the number of rows is even");
+  return source_pixel * to.ratio();
+}
+
+/// Number the grains that are left 1, 2, ... in the order of their numbers.
+void fill_instances(Segmented& segmented, const Raster<Cell>& cells) {
+  const std::vector<std::int32_t> numbers = grain_numbers(cells);
+  segmented.mask.labels = Raster<std::uint8_t>(cells.rows, cells.cols);
+  segmented.instances = Raster<std::int32_t>(cells.rows, cells.cols, 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell cell = cells.data[i];
+    segmented.mask.labels.data[i] = phase_of(cell);
+    if (cell >= first_grain)
+      segmented.instances.data[i] = static_cast<std::int32_t>(
+          std::lower_bound(numbers.begin(), numbers.end(), cell - first_grain) - numbers.begin() + 1);
+  }
+  segmented.inclusions = measure_inclusions(segmented.instances, segmented.mask.pixel_size);
+}
+
+void note_result(const Segmented& segmented, ConvertReport& report) {
+  std::string text;
+  const std::vector<std::int64_t> counts = count_labels(segmented.mask);
+  for (std::size_t label = 0; label < counts.size(); ++label)
+    if (counts[label] > 0)
+      text +=
+          (text.empty() ? "" : ", ") + segmented.mask.phases[label] + " " +
+          share_text(static_cast<double>(counts[label]), static_cast<double>(segmented.mask.labels.size()));
+  report.notes.push_back("the mask: " + text + "; " +
+                         counted(static_cast<std::int64_t>(segmented.inclusions.size()), "aggregate"));
+}
+
+}  // namespace
+
+Converted convert_picture(const std::string& path, const ConvertOptions& options) {
+  check_options(options);
+  return convert_picture(read_picture(path, options.max_pixels), options);
+}
+
+Converted convert_picture(Picture whole, const ConvertOptions& options) {
+  check_options(options);
+  const Picture picture = cropped(std::move(whole), options.crop);
+  Converted result;
+  ConvertReport& report = result.report;
+  report.source_pixel_size = source_pixel_size(picture, options, report);
+
+  Sorted sorted = segment(picture, options, report);
+  const double cell_size = report.source_pixel_size * sorted.factor;
+  clean(sorted.cells, plan_cleaning(sorted, options, cell_size), cell_size, report);
+  separate_grains(sorted, options, report);
+
+  LabelledMask& mask = result.segmented.mask;
+  mask.phases = sorted.phases;
+  mask.pixel_size = resample(sorted, picture, options, report.source_pixel_size, report);
+  fill_instances(result.segmented, sorted.cells);
+  note_result(result.segmented, report);
+  return result;
+}
+
+std::vector<double> intersection_over_union(const LabelledMask& mask, const LabelledMask& reference) {
+  const auto size_of = [](const LabelledMask& m) {
+    return std::to_string(m.labels.cols) + " x " + std::to_string(m.labels.rows) + " px";
+  };
+  if (mask.labels.rows != reference.labels.rows || mask.labels.cols != reference.labels.cols)
+    throw Error("reference", size_of(reference), "the mask has " + size_of(mask),
+                "convert both to the same pixels");
+  const std::size_t count = std::max(mask.phases.size(), reference.phases.size());
+  std::vector<double> both(256, 0), either(256, 0);
+  for (std::size_t i = 0; i < mask.labels.size(); ++i) {
+    const std::uint8_t a = mask.labels.data[i], b = reference.labels.data[i];
+    ++either[a];
+    if (a == b)
+      ++both[a];
+    else
+      ++either[b];
+  }
+  std::vector<double> iou(count);
+  for (std::size_t k = 0; k < count; ++k)
+    iou[k] = either[k] > 0 ? both[k] / either[k] : std::numeric_limits<double>::quiet_NaN();
+  return iou;
+}
+
+}  // namespace specimen

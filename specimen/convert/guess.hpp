@@ -1,0 +1,42 @@
+/// What a picture is likely to be, where the user does not say: its kind, and the phases of its values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "specimen/convert/convert.hpp"
+#include "specimen/convert/values.hpp"
+
+namespace specimen {
+
+/// Most distinct values of a picture that is taken for a map without being told so.
+inline constexpr int most_labels = 32;
+inline constexpr int most_grains = 65'535;
+
+/// Method for a picture:
+/// - instances: whole numbers, 0 and at least five others, nine in ten of them (almost) in one
+///   piece each;
+/// - labels: at most eight values, or at most 32 of which 80 % of the pixels share theirs with a
+///   neighbour;
+/// - else kmeans.
+/// @param map  the distinct values, where there are few enough.
+[[nodiscard]] Segmentation guess_method(const std::optional<ValueMap>& map);
+
+/// Phase of each value of a label map:
+/// - values out of 0, 1, 2, 3 with 2 among them are void, aggregate, mortar, itz, as write_labels
+///   writes them, unless 3 is there and yet 1 and 2 share more of their boundary with each other
+///   than with it;
+/// - else the value with the largest connected piece is mortar, for a matrix hangs together and
+///   aggregates do not; of three values or more 0 (black) and 255 are void, nothing or outside; all
+///   others are aggregate.
+[[nodiscard]] std::vector<std::string> guess_label_phases(const ValueMap& map);
+
+/// Phase of each class of a photograph, from the darkest to the brightest: of three or more the darkest is
+/// void where `has_void` says so; of the others the one with the largest connected piece is mortar, the rest
+/// aggregate.
+[[nodiscard]] std::vector<std::string> guess_class_phases(const Raster<std::uint8_t>& classes, int count,
+                                                          bool has_void);
+
+}  // namespace specimen

@@ -1,0 +1,33 @@
+/// Colour pictures as numbers: Lab, single channels, smoothing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "specimen/picture/picture.hpp"
+#include "specimen/body/raster.hpp"
+
+namespace specimen {
+
+/// A colour of CIE 1976 L*a*b* (D65) in 8-bit codes, which integer arithmetic gives alike on any machine.
+struct Lab {
+  std::uint8_t l_code = 0, a_code = 128, b_code = 128;
+  [[nodiscard]] double l() const { return l_code * (100.0 / 255); }  ///< lightness, 0 to 100
+  [[nodiscard]] double a() const { return a_code - 128.0; }          ///< green (-) to red (+)
+  [[nodiscard]] double b() const { return b_code - 128.0; }          ///< blue (-) to yellow (+)
+};
+
+[[nodiscard]] Raster<Lab> to_lab(const Raster<Rgb>& picture);
+
+/// Names of the channels of a colour picture.
+[[nodiscard]] const std::vector<std::string>& channel_names();
+
+/// One channel of a colour picture. gray (0.299 R + 0.587 G + 0.114 B), red, green, blue, value, saturation:
+/// 0 to 255; hue: 0 to 360 degrees; l: 0 to 100; a, b: -128 to 127.
+[[nodiscard]] Raster<double> channel_of(const Raster<Rgb>& picture, const std::string& name);
+
+/// Median over a square window, per channel.   @param edge  of the window [px], odd.
+[[nodiscard]] Raster<Rgb> median_of(const Raster<Rgb>& picture, int edge);
+
+}  // namespace specimen

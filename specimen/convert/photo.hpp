@@ -1,0 +1,41 @@
+/// Colour photographs: pixels sorted into classes of colour, and what the classes are likely to be.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "specimen/convert/clusters.hpp"
+#include "specimen/convert/image_colour.hpp"
+#include "specimen/body/raster.hpp"
+
+namespace specimen {
+
+/// Classes of a photograph, in rising order of lightness.
+struct ColourClasses {
+  Raster<std::uint8_t> classes;   ///< class per pixel
+  std::vector<Position> centres;  ///< L, a, b of each class; last, where it was looked at, its roughness
+  bool dark = false;              ///< class 0 was set apart as far darker than the rest
+  bool flat = false;              ///< the picture is made of this many flat colours
+  /// One guess per class where the colours alone tell it, else empty.
+  std::vector<std::string> phases;
+  std::string reason;  ///< for the choice of the classes, a sentence for the user
+};
+
+/// k-means in Lab with the lightness at half weight: shading and grain vary in lightness more than in tint.
+/// @param count  of classes, >= 2.
+[[nodiscard]] ColourClasses colour_classes(const Raster<Lab>& picture, int count);
+
+/// The same with the number of classes taken from the picture:
+/// - a drawing of up to 12 flat colours (noisy or not) has one class a colour;
+/// - a cut with a pink indicator (phenolphthalein): seven classes, of which pink is mortar, an
+///   untinted one is aggregate, and one that is between both, darker and browner, is void (the
+///   shaded mortar inside a pore);
+/// - else two classes by tint, lightness and roughness, each over squares of 2 % of the picture:
+///   grains that are cut or worn are smooth beside a sandy matrix.
+/// In both of the latter, pixels below half of the median lightness are a class of their own: what swallows
+/// the light is a hole. Source of the indicator's meaning: EN 14630.
+/// @param picture  calmed by a median.   @param grainy  the same picture before that, for its roughness.
+[[nodiscard]] ColourClasses automatic_classes(const Raster<Lab>& picture, const Raster<Lab>& grainy);
+
+}  // namespace specimen

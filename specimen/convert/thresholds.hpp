@@ -1,0 +1,22 @@
+/// Thresholds between the grey levels of a picture: Otsu's, for any number of classes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "specimen/body/raster.hpp"
+
+namespace specimen {
+
+/// Class of each pixel: the number of thresholds that its value reaches, so class 0 is the darkest.
+/// @param thresholds  rising, at most 255 of them.
+[[nodiscard]] Raster<std::uint8_t> classes_between(const Raster<double>& values,
+                                                   const std::vector<double>& thresholds);
+
+/// Thresholds that cut the values into `classes` with the least sum of squared deviations within the classes
+/// (Otsu's criterion), exact for the histogram: one bin a level for integers that span up to 1024 levels,
+/// else 1024 bins. Fewer occupied bins than classes give fewer thresholds. Source: Otsu (1979); the dynamic
+/// programme over class ends is that of Fisher (1958).
+[[nodiscard]] std::vector<double> otsu_thresholds(const Raster<double>& values, int classes);
+
+}  // namespace specimen

@@ -1,0 +1,138 @@
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "specimen/picture/picture_codecs.hpp"
+#include "specimen/picture/picture_header.hpp"
+
+namespace specimen {
+namespace {
+
+/// The numbers of a PNM file, in text or in bytes.
+class PnmReader {
+ public:
+  explicit PnmReader(const PictureSource& source) : source_(source) {}
+
+  int next() { return std::fgetc(source_.file.get()); }
+
+  /// Next decimal number, past blanks and comments (# to the end of the line); takes the one character after
+  /// it, as the format wants.
+  int text_number() {
+    int c = next();
+    while (c == '#' || std::isspace(c) != 0) {
+      if (c == '#')
+        while (c != '\n' && c != EOF) c = next();
+      c = next();
+    }
+    if (c == EOF) throw bad_picture(source_.path, "is cut off: the file ends before its last pixel");
+    if (std::isdigit(c) == 0) throw bad_picture(source_.path, "is a damaged PNM: a number was expected");
+    std::int64_t value = 0;
+    for (; std::isdigit(c) != 0; c = next()) {
+      value = value * 10 + (c - '0');
+      if (value > INT32_MAX) throw bad_picture(source_.path, "is a damaged PNM: a number is too large");
+    }
+    return static_cast<int>(value);
+  }
+
+  /// Whether another picture begins where the file stands.
+  bool another_follows() {
+    int c = next();
+    while (std::isspace(c) != 0) c = next();
+    return c == 'P' && std::isdigit(next()) != 0;
+  }
+
+ private:
+  const PictureSource& source_;
+};
+
+struct PnmHeader {
+  bool colour = false, text = false;
+  int rows = 0, cols = 0, max = 0;
+  [[nodiscard]] int channels() const { return colour ? 3 : 1; }
+  [[nodiscard]] int bytes_a_value() const { return max > 255 ? 2 : 1; }
+};
+
+PnmHeader read_header(PnmReader& reader, const PictureSource& source) {
+  PnmHeader header;
+  reader.next();  // 'P'
+  const int kind = reader.next();
+  if (kind != '2' && kind != '3' && kind != '5' && kind != '6')
+    throw Error(source.path, std::string("is a PNM of kind P") + static_cast<char>(kind),
+                "grey P2, P5 and colour P3, P6 are read", "save it as PGM, PPM or PNG");
+  header.colour = kind == '3' || kind == '6';
+  header.text = kind <= '3';
+  header.cols = reader.text_number();
+  header.rows = reader.text_number();
+  header.max = reader.text_number();
+  if (header.max < 1 || header.max > 65535)
+    throw Error(source.path, "largest value " + std::to_string(header.max), "1 to 65535 is allowed");
+  return header;
+}
+
+/// One row of values, as they stand in the file.
+void read_row(PnmReader& reader, const PictureSource& source, const PnmHeader& header,
+              std::vector<int>& values) {
+  if (header.text) {
+    for (int& value : values) value = reader.text_number();
+  } else {
+    const auto width = static_cast<std::size_t>(header.bytes_a_value());
+    Bytes bytes(values.size() * width);
+    read_exactly(source, bytes.data(), bytes.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = width == 2 ? bytes[2 * i] * 256 + bytes[2 * i + 1] : bytes[i];
+  }
+  for (const int value : values)
+    if (value > header.max)
+      throw Error(source.path, "pixel value " + std::to_string(value),
+                  "the header allows at most " + std::to_string(header.max));
+}
+
+void store_row(Picture& picture, int row, const PnmHeader& header, const std::vector<int>& values) {
+  const auto byte = [&](std::size_t i) {
+    return static_cast<std::uint8_t>((values[i] * 255 + header.max / 2) / header.max);
+  };
+  for (int c = 0; c < header.cols; ++c) {
+    const std::size_t i = static_cast<std::size_t>(c) * static_cast<std::size_t>(header.channels());
+    if (header.colour)
+      picture.colour(row, c) = {byte(i), byte(i + 1), byte(i + 2)};
+    else
+      picture.gray(row, c) = values[i];
+  }
+}
+
+}  // namespace
+
+Picture read_pnm(const PictureSource& source) {
+  PnmReader reader(source);
+  const PnmHeader header = read_header(reader, source);
+  check_size(source, header.rows, header.cols, 0);
+  // In text a value takes a digit and a blank, but the last one may end the file.
+  const std::int64_t values = std::int64_t{header.rows} * header.cols * header.channels();
+  check_size(source, header.rows, header.cols,
+             header.text ? 2 * values - 1 : values * header.bytes_a_value());
+
+  Picture picture;
+  picture.bits = header.bytes_a_value() * 8;
+  if (header.colour)
+    picture.colour = Raster<Rgb>(header.rows, header.cols);
+  else
+    picture.gray = Raster<double>(header.rows, header.cols);
+  std::vector<int> row_values(static_cast<std::size_t>(header.cols) *
+                              static_cast<std::size_t>(header.channels()));
+  for (int row = 0; row < header.rows; ++row) {
+    read_row(reader, source, header, row_values);
+    store_row(picture, row, header, row_values);
+  }
+  if (reader.another_follows()) throw several_pictures(source.path, "is a PNM of several pictures");
+  return picture;
+}
+
+Bytes encode_pgm(const Raster<std::uint8_t>& labels) {
+  const std::string header =
+      "P5\n" + std::to_string(labels.cols) + " " + std::to_string(labels.rows) + "\n255\n";
+  Bytes bytes(header.begin(), header.end());
+  bytes.insert(bytes.end(), labels.data.begin(), labels.data.end());
+  return bytes;
+}
+
+}  // namespace specimen

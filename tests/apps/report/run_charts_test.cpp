@@ -1,0 +1,100 @@
+#include "apps/report/run_charts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/apps/fake_run.hpp"
+
+namespace {
+
+using namespace output;
+
+TEST(StressChart, IsInMegapascalAndMicrostrainWithThePeakMarked) {
+  const FakeRun run = tension_run(30);
+  const Chart chart = stress_chart(run.record());
+  ASSERT_EQ(chart.series.size(), 1U);
+  const mpm::HistoryRow& row = run.result.history[100];
+  EXPECT_DOUBLE_EQ(chart.series[0].x[100], 1e6 * row.strain);
+  EXPECT_DOUBLE_EQ(chart.series[0].y[100], 1e-6 * row.stress);
+  ASSERT_EQ(chart.markers.size(), 1U);
+  EXPECT_EQ(chart.markers[0].text, "peak 3.43 MPa at 144 microstrain");
+  EXPECT_DOUBLE_EQ(chart.markers[0].x, 144);
+}
+
+TEST(StressChart, MarksNoPeakWhereThereIsNone) {
+  FakeRun run = tension_run(30);
+  run.result.peak_stress = 0;
+  EXPECT_TRUE(stress_chart(run.record()).markers.empty());
+}
+
+TEST(EnergyChart, ShowsDampingOnlyWhereThereIsAny) {
+  FakeRun run = tension_run(30);
+  EXPECT_EQ(energy_chart(run.record()).series.size(), 4U);
+  run.scene.local_damping = 0.1;
+  EXPECT_EQ(energy_chart(run.record()).series.back().name, "damped");
+}
+
+TEST(EnergyChart, HoldsTheLedger) {
+  const FakeRun run = tension_run(30);
+  const Chart chart = energy_chart(run.record());
+  const mpm::HistoryRow& row = run.result.history[200];
+  EXPECT_DOUBLE_EQ(chart.series[0].y[200], row.platen_work);
+  EXPECT_DOUBLE_EQ(chart.series[1].y[200], row.elastic);
+  EXPECT_DOUBLE_EQ(chart.series[2].y[200], row.released);
+  EXPECT_DOUBLE_EQ(chart.series[3].y[200], row.kinetic);
+}
+
+TEST(StressChart, IsInPercentWhereStrainsAreLargeAndNominalWithoutPlatens) {
+  const FakeRun run = impact_run(30);
+  const Chart chart = stress_chart(run.record());
+  EXPECT_EQ(chart.x.label, "Nominal strain");
+  EXPECT_EQ(chart.x.unit, "%");
+  EXPECT_EQ(chart.y.label, "Stress on the walls");
+  EXPECT_DOUBLE_EQ(chart.series[0].x[100], 100 * run.result.history[100].strain);
+  EXPECT_EQ(chart.markers[0].text, "peak 12.5 MPa at 2.00 %");
+}
+
+TEST(EnergyChart, BeginsWithTheEnergyOfTheFlight) {
+  const FakeRun run = impact_run(30);
+  const Chart chart = energy_chart(run.record());
+  EXPECT_EQ(chart.series[0].name, "at the start");
+  EXPECT_DOUBLE_EQ(chart.series[0].y.back(), run.result.history.front().kinetic);
+  EXPECT_EQ(chart.series.back().name, "left");
+}
+
+double failed_at_the_end(const Chart& chart, const std::string& mode) {
+  double sum = 0;
+  for (const output::Series& series : chart.series)
+    if (series.name.ends_with(mode)) sum += series.y.back();
+  return sum;
+}
+
+TEST(FailureChart, CountsEveryPhaseAndMode) {
+  const FakeRun run = compression_run(60);
+  const Chart chart = failure_chart(run.record());
+  double expected[] = {0, 0};
+  for (const std::uint8_t mode : run.result.failure_mode.reshaped())
+    if (mode != 0) ++expected[mode - 1];
+  EXPECT_GT(expected[0] * expected[1], 0);
+  EXPECT_EQ(failed_at_the_end(chart, "in tension"), expected[0]);
+  EXPECT_EQ(failed_at_the_end(chart, "in shear"), expected[1]);
+  for (const output::Series& series : chart.series)
+    EXPECT_TRUE(std::is_sorted(series.y.begin(), series.y.end())) << series.name;
+}
+
+TEST(FailureChart, NothingFailedIsAnEmptyChart) {
+  EXPECT_TRUE(failure_chart(still_run({"12", "32"}).record()).series.empty());
+}
+
+TEST(FailureStrainChart, EveryFailedPixelIsInOneClass) {
+  const FakeRun run = tension_run(60);
+  const Chart chart = output::failure_strain_chart(run.record());
+  ASSERT_FALSE(chart.series.empty());
+  double sum = 0;
+  for (const output::Series& series : chart.series)
+    for (const double count : series.y) sum += count / 2;  // a bar has two corners
+  EXPECT_EQ(sum, static_cast<double>((run.result.failure_mode != std::uint8_t{0}).count()));
+}
+
+}  // namespace

@@ -1,0 +1,72 @@
+#include "apps/study/study_results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libmpm/files/result_file.hpp"
+#include "tests/apps/small_study.hpp"
+#include "tests/apps/triangle.hpp"
+
+namespace {
+
+using namespace app;
+
+/// A study of three members, into whose folder results are put that were never computed.
+class StudyResultsOf : public testing::Test {
+ protected:
+  void SetUp() override { folder_.open(study_, members_); }
+
+  void put(std::size_t member, int side, int failed) {
+    mpm::Result result = test::triangle(3e6, 1e-4);
+    result.failure_strain = mpm::Lattice<float>::Constant(side, side, std::nanf(""));
+    result.failure_mode = mpm::Lattice<std::uint8_t>::Zero(side, side);
+    for (int i = 0; i < failed; ++i) result.failure_mode(0, i) = 1;
+    result.instruction_set = "baseline";
+    mpm::write_result(folder_.result_file(members_[member]).string(), result,
+                      member_scene(member_settings(study_, members_[member])));
+  }
+
+  test::TemporaryFolder files_;
+  StudyFolder folder_{files_ / "out"};
+  Study study_ = test::small_study(files_, "seeds = 3\n");
+  std::vector<Member> members_ = list_members(study_);
+};
+
+TEST_F(StudyResultsOf, KeepTheFiguresAndTheCurveWithItsPeak) {
+  put(1, 4, 2);
+  folder_.write_failure(study_, members_[2], "it broke");
+  const StudyResults results = read_results(folder_, members_);
+  EXPECT_EQ(results.outcomes[0].state, MemberState::open);
+  EXPECT_EQ(results.outcomes[1].state, MemberState::done);
+  EXPECT_EQ(results.outcomes[2].state, MemberState::failed);
+  EXPECT_EQ(results.outcomes[2].reason, "it broke");
+  EXPECT_TRUE(std::isnan(results.peak_stress()[0]));
+  EXPECT_EQ(results.peak_stress()[1], 3e6);
+  EXPECT_EQ(results.peak_strain()[1], 1e-4);
+  EXPECT_DOUBLE_EQ(results.outcomes[1].end.strain, 3e-4);
+  const Curve& curve = results.curves[1];
+  EXPECT_LE(curve.x.size(), 201U);
+  EXPECT_EQ(*std::max_element(curve.y.begin(), curve.y.end()), 3e6);
+  EXPECT_TRUE(results.curves[0].x.empty());
+}
+
+TEST_F(StudyResultsOf, CountTheFailuresOfEachPixel) {
+  put(0, 4, 1);
+  put(1, 4, 3);
+  const CrackCount cracks = read_results(folder_, members_).cracks;
+  EXPECT_EQ(cracks.members, 2);
+  EXPECT_EQ(cracks.failures(0, 0), 2);
+  EXPECT_EQ(cracks.failures(0, 2), 1);
+  EXPECT_EQ(cracks.failures(3, 3), 0);
+}
+
+TEST_F(StudyResultsOf, CountNothingWherePicturesDiffer) {
+  put(0, 4, 1);
+  put(1, 5, 1);
+  put(2, 4, 1);
+  EXPECT_EQ(read_results(folder_, members_).cracks.failures.size(), 0);
+}
+
+}  // namespace

@@ -1,0 +1,130 @@
+#include "apps/study/study_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/study/study_report.hpp"
+#include "apps/study/study_results.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/files/result_file.hpp"
+#include "tests/apps/small_study.hpp"
+
+namespace {
+
+using namespace app;
+using testing::HasSubstr;
+
+class StudyRun : public testing::Test {
+ protected:
+  StudyTally run(const std::string& text, int workers, const StudyWatch& watch = {}) {
+    study_ = test::small_study(files_, text);
+    members_ = list_members(study_);
+    folder_.open(study_, members_);
+    return run_members(study_, folder_, members_, workers, watch);
+  }
+
+  test::TemporaryFolder files_;
+  StudyFolder folder_{files_ / "out"};
+  Study study_;
+  std::vector<Member> members_;
+};
+
+TEST_F(StudyRun, WritesAResultAMemberAndSkipsWhatIsThere) {
+  StudyTally tally = run("seeds = 3\n", 2);
+  EXPECT_EQ(tally.done, 3U);
+  EXPECT_EQ(tally.open(), 0U);
+  for (const Member& member : members_) EXPECT_TRUE(folder_.has_result(member));
+  tally = run("seeds = 4\n", 2);  // the study has grown
+  EXPECT_EQ(tally.before, 3U);
+  EXPECT_EQ(tally.done, 1U);
+}
+
+TEST_F(StudyRun, AMemberIsWhatSimulateMakesOfItsScene) {
+  run("seeds = [7]\n", 1);
+  const mpm::Result result = mpm::read_result(folder_.result_file(members_[0]).string());
+  EXPECT_EQ(mpm::read_scene_text(folder_.result_file(members_[0]).string()),
+            member_scene(member_settings(study_, members_[0])));
+  EXPECT_GT(result.peak_stress, 0);
+  EXPECT_EQ(result.threads, 1);
+}
+
+TEST_F(StudyRun, EndsInOrderWhenItIsStopped) {
+  int asked = 0;
+  const StudyTally tally = run("seeds = 3\n", 1, {{}, [&] { return ++asked < 20; }});
+  EXPECT_EQ(tally.open(), 3U);
+  for (const Member& member : members_) {
+    EXPECT_FALSE(folder_.has_result(member)) << "half a run is none";
+    EXPECT_FALSE(folder_.has_failed(member));
+  }
+  EXPECT_EQ(run("seeds = 3\n", 1).open(), 0U);
+}
+
+TEST_F(StudyRun, AMemberThatFailsIsKeptWithItsReasonAndTheRestGoesOn) {
+  // No aggregates of that size fill that much of the specimen.
+  const std::string text = "[vary]\n\"generate.fraction\" = [0.3, 0.89, 0.2]\n";
+  std::vector<StudyTally> seen;
+  const StudyTally tally = run(text, 1, {[&](const StudyTally& now) { seen.push_back(now); }, {}});
+  EXPECT_EQ(tally.done, 2U);
+  EXPECT_EQ(tally.failed, 1U);
+  ASSERT_EQ(seen.size(), 3U);
+  EXPECT_EQ(seen[1].failed, 1U);
+  EXPECT_THAT(folder_.failure(members_[1]), HasSubstr("generate.fraction"));
+  EXPECT_EQ(run(text, 1).before, 3U) << "it is not run again";
+  folder_.forget_failure(members_[1]);
+  EXPECT_EQ(run(text, 1).failed, 1U);
+  const StudyResults results = read_results(folder_, members_);
+  EXPECT_EQ(results.count(MemberState::done), 2U);
+  EXPECT_EQ(results.count(MemberState::failed), 1U);
+  EXPECT_TRUE(std::isnan(results.peak_stress()[1]));
+  EXPECT_EQ(results.cracks.members, 2);
+}
+
+TEST_F(StudyRun, RefusesScenesThatDoNotGoWithTheSpecimen) {
+  study_ = test::small_study(files_, "[vary]\n\"phases.glass.young\" = [\"70 GPa\"]\n");
+  members_ = list_members(study_);
+  try {
+    check_scenes(study_, members_);
+    FAIL();
+  } catch (const Rejected& rejected) {
+    EXPECT_THAT(app::text(rejected.complaints.front()),
+                HasSubstr("phases.glass: no such phase, in member 0 (phases.glass.young = 70 GPa)"));
+  }
+}
+
+TEST_F(StudyRun, AMemberThatDivergesIsAFailure) {
+  // Pixels alone in their cells beside a block of mortar bear no such step.
+  std::string picture = "P2\n12 12\n2\n";
+  for (int row = 0; row < 12; ++row)
+    picture += row % 4 == 2 ? "2 2 2 2 2 2 0 2 0 0 0 0\n" : "2 2 2 2 2 2 0 0 0 0 0 0\n";
+  test::write_text(files_ / "a.pgm", picture);
+  test::write_text(
+      files_ / "scene.toml",
+      "[specimen]\npicture = \"a.pgm\"\n[convert]\nmethod = \"labels\"\nlabel_phases = [\"0: void\", "
+      "\"2: mortar\"]\npixel_size = \"1 mm\"\n[phases.mortar]\npoisson = 0.4999\ntensile_scale = "
+      "\"unbreakable\"\n[loading]\nvelocity = \"1 m/s\"\n");
+  test::write_text(files_ / "study.toml", "scene = \"scene.toml\"\n[vary]\n\"solver.cfl\" = [0.4, 1]\n");
+  study_ = read_study(files_ / "study.toml");
+  members_ = list_members(study_);
+  folder_.open(study_, members_);
+  const StudyTally tally = run_members(study_, folder_, members_, 2, {});
+  EXPECT_EQ(tally.done, 1U);
+  EXPECT_EQ(tally.failed, 1U);
+  EXPECT_THAT(folder_.failure(members_[1]), HasSubstr("step"));
+}
+
+TEST_F(StudyRun, AFailureOfTheFirstMemberLeavesAReport) {
+  run("[vary]\n\"generate.fraction\" = [0.89, 0.3]\n", 1);
+  write_study_report(folder_, study_, members_, read_results(folder_, members_));
+  EXPECT_THAT(test::read_text(folder_.file("report.html").string()), HasSubstr("1 member failed"));
+}
+
+TEST_F(StudyRun, RefusesAResultThatIsNotThatOfTheMember) {
+  run("seeds = 2\n", 1);
+  std::filesystem::copy_file(folder_.result_file(members_[0]), folder_.result_file(members_[1]),
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THROW((void)read_results(folder_, members_), mpm::FileError);
+}
+
+}  // namespace

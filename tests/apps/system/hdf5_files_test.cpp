@@ -1,0 +1,85 @@
+#include "apps/system/hdf5_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "apps/text/complaint.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/files/frame_file.hpp"
+#include "libmpm/files/result_file.hpp"
+#include "tests/damaged.hpp"
+#include "tests/libmpm/sample_scenes.hpp"
+#include "tests/specimen/temporary_folder.hpp"
+
+namespace {
+
+class Hdf5Files : public testing::Test {
+ protected:
+  static mpm::Result result() {
+    mpm::Result result;
+    for (int i = 0; i < 77; ++i)
+      result.history.push_back({.time = 1e-6 * i, .strain = 1e-7 * i, .stress = 10. * i});
+    result.failure_strain.setConstant(3, 2, 1e-4F);
+    result.failure_mode.setZero(3, 2);
+    return result;
+  }
+
+  /// "read", or how it was refused.
+  template <class Read>
+  std::string verdict(const std::string& bytes, Read read) const {
+    test::write_text(path_, bytes);
+    try {
+      (void)read(path_);
+    } catch (const app::Rejected& rejected) {
+      EXPECT_EQ(rejected.code, app::Exit::data);
+      return rejected.what();
+    } catch (const mpm::FileError& error) {
+      EXPECT_EQ(error.field, path_);
+      return error.what();
+    }
+    return "read";
+  }
+
+  /// How often a file was refused with a bit turned over here and there. Attributes have no checksum, so that
+  /// a number may be another one.
+  template <class Read>
+  int refusals(std::size_t step, Read read) const {
+    int refused = 0;
+    test::flip_bits(test::read_text(path_), step,
+                    [&](const std::string& bytes) { refused += verdict(bytes, read) == "read" ? 0 : 1; });
+    return refused;
+  }
+
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_ / "file.h5";
+};
+
+TEST_F(Hdf5Files, AreReadAsTheLibrariesReadThem) {
+  mpm::write_result(path_, result(), "[loading]\n");
+  EXPECT_EQ(app::read_result(path_).history.size(), 77U);
+  EXPECT_EQ(app::read_scene_text(path_), "[loading]\n");
+}
+
+/// HDF5 1.10 divides by zero where a chunk has no axes.
+TEST_F(Hdf5Files, OnWhichHdf5FailsAreRefused) {
+  mpm::write_result(path_, result(), "");
+  std::string bytes = test::read_text(path_);
+  const std::string chunk("\x4d\0\0\0\x08\0\0\0", 8);  // 77 values of 8 bytes
+  const std::size_t at = bytes.find(chunk);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at - 9] = 0;  // number of axes, before the 8 bytes of an address
+  EXPECT_EQ(verdict(bytes, app::read_result),
+            path_ + ": is damaged: HDF5 fails on it; take a copy of it, or make it again");
+}
+
+TEST_F(Hdf5Files, DamagedAreReadOrRefused) {
+  mpm::write_result(path_, result(), "[loading]\n");
+  EXPECT_GT(refusals(1009, app::read_result), 0);
+  mpm::Frame frame;
+  for (std::uint32_t i = 0; i < 50; ++i) frame.points.push_back({.id = i, .x = 0.1 * i, .damage = 0.01 * i});
+  mpm::write_frame(path_, frame, samples::mortar_block(10, 10));
+  EXPECT_GT(refusals(1009, app::read_frame), 0);
+}
+
+}  // namespace

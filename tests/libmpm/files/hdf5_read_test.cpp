@@ -1,0 +1,196 @@
+// The storage of a file that is damaged or out to harm its reader, tried with frames.
+#include "libmpm/files/hdf5_read.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "tests/libmpm/sample_frames.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using samples::Creation;
+using samples::odd_frame;
+using testing::HasSubstr;
+
+using Hdf5Read = samples::FrameFileTest;
+
+TEST_F(Hdf5Read, AsksForNoMemoryThatAnExtentOnlyClaims) {
+  constexpr hsize_t huge = hsize_t{1} << 40U;
+  EXPECT_THAT(
+      verdict([](hid_t f) { create(f, "VTKHDF/PointData/id", H5T_STD_I32LE, {huge}, H5P_DEFAULT, nullptr); }),
+      HasSubstr("dataset id has an extent that its data do not fill"));
+  EXPECT_THAT(verdict([](hid_t f) {
+                create(f, "VTKHDF/PointData/stress", H5T_IEEE_F32LE, {huge, huge}, H5P_DEFAULT, nullptr);
+              }),
+              HasSubstr("dataset stress has an extent that its data do not fill"));
+  EXPECT_THAT(verdict([](hid_t f) {
+                const Creation chunked;
+                const hsize_t chunk = 1 << 25;
+                H5Pset_chunk(chunked.id, 1, &chunk);
+                H5Pset_deflate(chunked.id, 9);
+                H5Pset_alloc_time(chunked.id, H5D_ALLOC_TIME_EARLY);
+                create(f, "VTKHDF/PointData/id", H5T_STD_I32LE, {chunk}, chunked.id, nullptr);
+              }),
+              HasSubstr("dataset id has chunks of more than 64 MiB"));
+}
+
+/// The same chunk of zeros over and over: a small file of very many ids.
+void fill_with_zeros(hid_t file, const char* name, hsize_t chunk, hsize_t chunks) {
+  const Creation packed;
+  H5Pset_chunk(packed.id, 1, &chunk);
+  H5Pset_deflate(packed.id, 1);
+  const hsize_t extent = chunk * chunks;
+  const hid_t space = H5Screate_simple(1, &extent, nullptr);
+  const hid_t dataset = H5Dcreate2(file, name, H5T_STD_I32LE, space, H5P_DEFAULT, packed.id, H5P_DEFAULT);
+  const hsize_t origin = 0;
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, &origin, nullptr, &chunk, nullptr);
+  const hid_t memory = H5Screate_simple(1, &chunk, nullptr);
+  const std::vector<std::int32_t> zeros(chunk);
+  H5Dwrite(dataset, H5T_NATIVE_INT32, memory, space, H5P_DEFAULT, zeros.data());
+  H5Dflush(dataset);
+  hsize_t size = 0;
+  H5Dget_chunk_storage_size(dataset, &origin, &size);
+  std::vector<char> bytes(size);
+  std::uint32_t filters = 0;
+  H5Dread_chunk(dataset, H5P_DEFAULT, &origin, &filters, bytes.data());
+  for (hsize_t at = chunk; at < extent; at += chunk)
+    H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, &at, size, bytes.data());
+  H5Sclose(memory);
+  H5Dclose(dataset);
+  H5Sclose(space);
+}
+
+TEST_F(Hdf5Read, RefusesMorePointsThanAnyRunHas) {
+  EXPECT_THAT(verdict([](hid_t f) {
+                H5Ldelete(f, "VTKHDF/PointData/id", H5P_DEFAULT);
+                fill_with_zeros(f, "VTKHDF/PointData/id", hsize_t{1} << 24U, 12);
+              }),
+              HasSubstr("dataset id has more than 200000000 values"));
+}
+
+TEST_F(Hdf5Read, FollowsNoLinks) {
+  mpm::write_frame(folder_ / "other.hdf", odd_frame(), scene_);
+  for (const std::string name : {"VTKHDF", "VTKHDF/PointData", "VTKHDF/PointData/stress", "VTKHDF/FieldData"})
+    EXPECT_THAT(verdict([&](hid_t f) {
+                  H5Ldelete(f, name.c_str(), H5P_DEFAULT);
+                  H5Lcreate_external("other.hdf", name.c_str(), f, name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+                }),
+                HasSubstr(" is a link, and no part of the file itself"))
+        << name;
+}
+
+TEST_F(Hdf5Read, ReadsNoOtherFile) {
+  const char* const damage = "VTKHDF/PointData/damage";
+  const char* const elsewhere = "dataset damage keeps its data in another file";
+  std::ofstream(folder_ / "secret") << std::string(8, '\0');
+  EXPECT_THAT(verdict([&](hid_t f) {
+                const Creation outside;
+                H5Pset_external(outside.id, (folder_ / "secret").c_str(), 0, 8);
+                create(f, damage, H5T_IEEE_F32LE, {2}, outside.id, nullptr);
+              }),
+              HasSubstr(elsewhere));
+  EXPECT_THAT(verdict([&](hid_t f) {
+                const Creation views;
+                const hsize_t two = 2;
+                const hid_t space = H5Screate_simple(1, &two, nullptr);
+                H5Pset_virtual(views.id, space, (folder_ / "other.hdf").c_str(), damage, space);
+                create(f, damage, H5T_IEEE_F32LE, {2}, views.id, nullptr);
+                H5Sclose(space);
+              }),
+              HasSubstr(elsewhere));
+}
+
+/// One of a plug-in, and szip, which divides by zero where a file gives it no parameters.
+TEST_F(Hdf5Read, RunsNoFilterButThoseOfResults) {
+  for (const H5Z_filter_t filter : {32001, H5Z_FILTER_SZIP})
+    EXPECT_THAT(verdict([&](hid_t f) {
+                  const Creation packed;
+                  const hsize_t two = 2;
+                  H5Pset_chunk(packed.id, 1, &two);
+                  H5Pset_filter(packed.id, filter, H5Z_FLAG_OPTIONAL, 0, nullptr);
+                  create(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, packed.id, nullptr);
+                }),
+                HasSubstr("dataset damage is packed by filter " + std::to_string(filter) +
+                          ", which is none of gzip, shuffle and fletcher32"));
+}
+
+/// HDF5 opens the sources of a view to know how far it reaches, and would wait for ever for one that is a
+/// pipe.
+TEST_F(Hdf5Read, DoesNotLookHowFarAViewReaches) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(verdict([&](hid_t f) {
+                const Creation view;
+                const hsize_t two = 2, endless = H5S_UNLIMITED, first = 0, one = 1;
+                const hid_t space = H5Screate_simple(1, &two, &endless);
+                H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &one, &endless);
+                H5Pset_virtual(view.id, space, pipe.c_str(), "damage", space);
+                H5Ldelete(f, "VTKHDF/PointData/damage", H5P_DEFAULT);
+                const hid_t dataset = H5Dcreate2(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, space,
+                                                 H5P_DEFAULT, view.id, H5P_DEFAULT);
+                ASSERT_GE(dataset, 0);
+                H5Dclose(dataset);
+                H5Sclose(space);
+              }),
+              HasSubstr("dataset damage keeps its data in another file"));
+}
+
+TEST_F(Hdf5Read, UnpacksNothingTwice) {
+  EXPECT_THAT(verdict([&](hid_t f) {
+                const Creation packed;
+                const hsize_t two = 2;
+                const std::array<float, 2> values{};
+                H5Pset_chunk(packed.id, 1, &two);
+                for (const unsigned level : {9U, 9U})
+                  H5Pset_filter(packed.id, H5Z_FILTER_DEFLATE, H5Z_FLAG_MANDATORY, 1, &level);
+                create(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, packed.id, values.data());
+              }),
+              HasSubstr("dataset damage is packed twice by filter 1"));
+}
+
+TEST_F(Hdf5Read, TakesNoZerosForChunksThatAreNotThere) {
+  EXPECT_THAT(verdict([](hid_t f) {
+                const Creation chunked;
+                const hsize_t one = 1;
+                H5Pset_chunk(chunked.id, 1, &one);
+                create(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, chunked.id, nullptr);
+                const hid_t dataset = H5Dopen2(f, "VTKHDF/PointData/damage", H5P_DEFAULT);
+                const hsize_t origin = 0;
+                const float value = 0;
+                H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, &origin, sizeof value, &value);
+                H5Dclose(dataset);
+              }),
+              HasSubstr("dataset damage lacks some of its data"));
+}
+
+TEST_F(Hdf5Read, NoticesAFlippedBit) {
+  mpm::Frame frame = odd_frame();
+  for (std::uint32_t i = 10; i < 3000; ++i)  // fills the greater part of the file
+    frame.points.push_back(
+        {.id = i, .sxx = 1e6 * std::sin(i), .syy = 1e6 * std::sin(7 * i), .sxy = 1e6 * std::sin(3 * i)});
+  mpm::write_frame(path_, frame, scene_);
+  const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t stress = H5Dopen2(file, "VTKHDF/PointData/stress", H5P_DEFAULT);
+  const hid_t space = H5Dget_space(stress);
+  haddr_t address = 0;
+  hsize_t size = 0;
+  H5Dget_chunk_info(stress, space, 0, nullptr, nullptr, &address, &size);
+  H5Sclose(space);
+  H5Dclose(stress);
+  H5Fclose(file);
+  std::fstream bytes(path_, std::ios::binary | std::ios::in | std::ios::out);
+  const auto place = static_cast<std::streamoff>(address + size / 2);
+  bytes.seekg(place);
+  const char flipped = static_cast<char>(bytes.get() ^ 1);
+  bytes.seekp(place);
+  bytes.put(flipped);
+  bytes.close();
+  EXPECT_THAT(complaint(), HasSubstr("dataset stress is damaged"));
+}
+
+}  // namespace

@@ -1,0 +1,117 @@
+#include "libmpm/material/strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using mpm::Phase;
+using mpm::PrincipalStress;
+
+Phase mortar() { return mpm::concrete_phases()[1]; }
+
+// Known answers of Philox4x32-10 with counter and key zero (Salmon et al., kat_vectors): 6627e8d5 e169c58d
+// ...
+TEST(UniformRandom, IsPhilox) {
+  const auto bits = (std::uint64_t{0x6627e8d5} << 32U) | 0xe169c58dU;
+  EXPECT_EQ(mpm::uniform_random(0, 0, 0), (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52);
+}
+
+TEST(UniformRandom, DependsOnSeedPointAndStreamOnly) {
+  EXPECT_EQ(mpm::uniform_random(7, 42, 0), mpm::uniform_random(7, 42, 0));
+  EXPECT_NE(mpm::uniform_random(7, 42, 0), mpm::uniform_random(8, 42, 0));
+  EXPECT_NE(mpm::uniform_random(7, 42, 0), mpm::uniform_random(7, 43, 0));
+  EXPECT_NE(mpm::uniform_random(7, 42, 0), mpm::uniform_random(7, 42, 1));
+  EXPECT_NE(mpm::pixel_random(1, 2, 3), mpm::pixel_random(1, 3, 2));
+}
+
+// Kolmogorov-Smirnov distance of n uniform numbers stays below 1.95 / sqrt(n) with a chance of 99.9 %; seeds
+// are fixed.
+TEST(StrengthFactor, FollowsTheWeibullDistribution) {
+  constexpr int n = 20000;
+  for (const double m : {1.0, 1.5, 6.0}) {
+    std::vector<double> q;
+    for (int i = 0; i < n; ++i) q.push_back(mpm::strength_factor(mpm::pixel_random(3, i, 11), m));
+    std::sort(q.begin(), q.end());
+    double distance = 0;
+    for (int i = 0; i < n; ++i) {
+      const double expected = 1 - std::exp(-std::pow(q[static_cast<std::size_t>(i)], m));
+      distance = std::max(distance, std::abs(expected - (i + 0.5) / n));
+    }
+    EXPECT_LT(distance, 1.95 / std::sqrt(n)) << "m = " << m;
+  }
+}
+
+TEST(StrengthFactor, IsOneAtTheScale) {
+  // r = 1/e is survived by 36.8 %: the Weibull scale itself, whatever the modulus.
+  for (const double m : {0.1, 1.5, 100.0})
+    EXPECT_NEAR(mpm::strength_factor(1 / std::numbers::e, m), 1, 1e-12);
+}
+
+TEST(PrincipalStress, OfPureShear) {
+  const auto s = mpm::principal_stress(0, 0, 3, 0);
+  EXPECT_DOUBLE_EQ(s.first, 3);
+  EXPECT_DOUBLE_EQ(s.second, -3);
+}
+
+TEST(Tension, FailsAboveTheThresholdOnly) {
+  const Phase phase = mortar();
+  EXPECT_FALSE(mpm::fails_in_tension(phase, 0.5, {7.49e6, 0, 0}));
+  EXPECT_TRUE(mpm::fails_in_tension(phase, 0.5, {7.51e6, 0, 0}));
+  EXPECT_TRUE(mpm::fails_in_tension(phase, 0.5, {0, -1e6, 7.51e6})) << "the stress out of the plane counts";
+  EXPECT_FALSE(mpm::fails_in_tension(mpm::concrete_phases()[0], 0.5, {1e12, 0, 0}))
+      << "aggregates are elastic";
+}
+
+TEST(Shear, FollowsMohrCoulomb) {
+  const Phase phase = mortar();
+  const double phi = phase.friction_angle;
+  // Uniaxial compression: strength 2 c cos(phi) / (1 - sin(phi)) times q.
+  const double strength = 2 * phase.cohesion * std::cos(phi) / (1 - std::sin(phi));
+  EXPECT_FALSE(mpm::fails_in_shear(phase, 0.3, {0, -0.3 * strength * 0.999, 0}));
+  EXPECT_TRUE(mpm::fails_in_shear(phase, 0.3, {0, -0.3 * strength * 1.001, 0}));
+}
+
+TEST(Shear, IsHeldBackByConfinementAndHelpedByTension) {
+  const Phase phase = mortar();
+  const double sine = std::sin(phase.friction_angle);
+  const double cosine = std::cos(phase.friction_angle);
+  for (const double s1 : {-40e6, 5e6}) {
+    // -s3 (1 - sin) = q (2 c cos - s1 (1 + sin)), whichever of the three stresses is the least.
+    const double s3 = -0.3 * (2 * 150e6 * cosine - s1 * (1 + sine)) / (1 - sine);
+    EXPECT_FALSE(mpm::fails_in_shear(phase, 0.3, {s1, s3 * 0.999, s1}));
+    EXPECT_TRUE(mpm::fails_in_shear(phase, 0.3, {s1, s3 * 1.001, s1}));
+    EXPECT_FALSE(mpm::fails_in_shear(phase, 0.3, {s1, s1, s3 * 0.999}));
+    EXPECT_TRUE(mpm::fails_in_shear(phase, 0.3, {s1, s1, s3 * 1.001}));
+  }
+}
+
+TEST(Shear, NeedsCompressionAndFailsWhereTheBracketIsGone) {
+  const Phase phase = mortar();
+  EXPECT_FALSE(mpm::fails_in_shear(phase, 1, {1e12, 0, 0})) << "s3 = 0 is no shear failure";
+  EXPECT_TRUE(mpm::fails_in_shear(phase, 1, {1e12, -1, 0})) << "bracket below zero: the point fails";
+}
+
+// The fast test rests on this: below the onset no shear failure is possible while s1 stays below the
+// threshold.
+TEST(ShearOnset, NeverMissesAFailure) {
+  const Phase phase = mortar();
+  for (const double factor : {0.01, 0.3, 1.0, 3.0, 8.0}) {
+    const double tension = mpm::tension_threshold(phase, factor);
+    const double onset = mpm::shear_onset(phase, factor, tension);
+    for (int i = 0; i <= 100; ++i) {
+      const double s1 = tension * (-20 + 0.21 * i);
+      if (s1 > tension) continue;
+      const PrincipalStress below{s1, std::min(-onset * 0.999999, 0.0), s1};
+      EXPECT_FALSE(mpm::fails_in_shear(phase, factor, below)) << "q = " << factor << ", s1 = " << s1;
+    }
+    const PrincipalStress beyond{tension, -onset * 1.000001 - 1, tension};
+    EXPECT_TRUE(mpm::fails_in_shear(phase, factor, beyond)) << "an onset too low costs time";
+  }
+}
+
+}  // namespace

@@ -1,0 +1,19 @@
+#include "specimen/body/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(Error, SaysFieldValueAllowedAndCure) {
+  const specimen::Error error("phases.mortar.young", "-20 GPa", "must be > 0",
+                              "give the modulus with its unit, e.g. \"20 GPa\"");
+  EXPECT_STREQ(error.what(),
+               "phases.mortar.young: -20 GPa; must be > 0; give the modulus with its unit, e.g. \"20 GPa\"");
+  EXPECT_EQ(error.field, "phases.mortar.young");
+}
+
+TEST(Error, LeavesEmptyPartsOut) {
+  EXPECT_STREQ(specimen::Error("seed", "-1", "must be >= 0").what(), "seed: -1; must be >= 0");
+}
+
+}  // namespace

@@ -1,0 +1,85 @@
+#include "specimen/convert/guess.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/specimen/drawn.hpp"
+
+namespace {
+
+using specimen::distinct_values;
+using specimen::guess_class_phases;
+using specimen::guess_label_phases;
+using specimen::guess_method;
+using specimen::Picture;
+using specimen::Raster;
+using specimen::Segmentation;
+using specimen_test::draw_disc;
+using Names = std::vector<std::string>;
+
+Raster<double> discs(const std::vector<double>& values, double background) {
+  Raster<double> picture(60, 20 * static_cast<int>(values.size()), background);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    draw_disc(picture, 30, 20 * static_cast<double>(i) + 10, 8, values[i]);
+  return picture;
+}
+
+Segmentation method_of(const Raster<double>& gray) {
+  Picture picture;
+  picture.gray = gray;
+  return guess_method(distinct_values(picture, specimen::most_grains));
+}
+
+Names phases_of(const Raster<double>& gray) {
+  Picture picture;
+  picture.gray = gray;
+  return guess_label_phases(*distinct_values(picture, 256));
+}
+
+TEST(Guess, OnePieceAValueIsAMapOfGrains) {
+  EXPECT_EQ(method_of(discs({1, 2, 3, 4, 5}, 0)), Segmentation::instances);
+  EXPECT_EQ(method_of(discs({10, 20, 30, 4000, 50, 60}, 0)), Segmentation::instances);
+}
+
+TEST(Guess, FewValuesAreLabels) {
+  EXPECT_EQ(method_of(discs({1, 2, 3, 4}, 0)), Segmentation::labels);                    // too few for grains
+  EXPECT_EQ(method_of(discs({1, 1, 2, 2, 3, 3, 4, 4, 5, 5}, 0)), Segmentation::labels);  // many pieces each
+  EXPECT_EQ(method_of(discs({2, 3, 4, 5, 6}, 1)), Segmentation::labels);                 // no 0
+}
+
+TEST(Guess, ManyValuesOrNoiseAreAPhotograph) {
+  EXPECT_EQ(guess_method(std::nullopt), Segmentation::kmeans);
+  Raster<double> noise(50, 50);
+  for (std::size_t i = 0; i < noise.size(); ++i) noise.data[i] = static_cast<double>(i * i % 31);
+  EXPECT_EQ(method_of(noise), Segmentation::kmeans);
+}
+
+TEST(Guess, KnowsTheLabelsThatThisLibraryWrites) {
+  EXPECT_EQ(phases_of(discs({1, 0, 3}, 2)), (Names{"void", "aggregate", "mortar", "itz"}));
+  EXPECT_EQ(phases_of(discs({1, 1}, 2)), (Names{"aggregate", "mortar"}));
+  EXPECT_EQ(phases_of(discs({2, 2}, 0)), (Names{"void", "mortar"}));
+}
+
+TEST(Guess, DoesNotTakeAStrangersLabelsForItsOwn) {
+  // A matrix 1 with cracks 2 and pores 3: 1 and 2 share boundary, as ours with ITZ never do.
+  EXPECT_EQ(phases_of(discs({2, 2, 2, 3}, 1))[0], "mortar");
+}
+
+TEST(Guess, TheMatrixIsWhatHangsTogether) {
+  EXPECT_EQ(phases_of(discs({255, 255, 255}, 0)), (Names{"mortar", "aggregate"}));
+  EXPECT_EQ(phases_of(discs({0, 0, 0}, 255)), (Names{"aggregate", "mortar"}));
+  EXPECT_EQ(phases_of(discs({0, 255, 9, 40}, 7)),
+            (Names{"void", "mortar", "aggregate", "aggregate", "void"}));
+  EXPECT_EQ(phases_of(discs({5}, 5)), (Names{"mortar"}));
+}
+
+TEST(Guess, ClassesOfAPhotograph) {
+  Raster<std::uint8_t> classes(40, 80, 1);
+  draw_disc(classes, 20, 20, 8, std::uint8_t{0});
+  draw_disc(classes, 20, 60, 12, std::uint8_t{2});
+  EXPECT_EQ(guess_class_phases(classes, 3, true), (Names{"void", "mortar", "aggregate"}));
+  EXPECT_EQ(guess_class_phases(classes, 3, false), (Names{"aggregate", "mortar", "aggregate"}));
+  for (std::uint8_t& k : classes.data) k = k == 0 ? 0 : 1;
+  EXPECT_EQ(guess_class_phases(classes, 2, true), (Names{"aggregate", "mortar"}));
+}
+
+}  // namespace

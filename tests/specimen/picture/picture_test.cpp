@@ -1,0 +1,94 @@
+#include "specimen/picture/picture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/specimen/picture_checks.hpp"
+
+namespace {
+
+using specimen::LabelledMask;
+using specimen::Picture;
+using specimen_test::Scratch;
+
+LabelledMask mask_of_all_labels(double pixel_size) {
+  LabelledMask mask;
+  mask.labels = specimen::Raster<std::uint8_t>(14, 19);  // neither side a multiple of four
+  for (std::size_t i = 0; i < mask.labels.size(); ++i) mask.labels.data[i] = static_cast<std::uint8_t>(i);
+  mask.pixel_size = pixel_size;
+  return mask;
+}
+
+class LabelFormats : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(LabelFormats, BringBackEveryLabel) {
+  const Scratch scratch;
+  const LabelledMask mask = mask_of_all_labels(0.5e-3);
+  const std::string path = scratch.file(std::string("labels") + GetParam());
+  specimen::write_labels(path, mask);
+  const Picture picture = specimen::read_picture(path);
+  ASSERT_EQ(picture.rows(), 14);
+  ASSERT_EQ(picture.cols(), 19);
+  for (std::size_t i = 0; i < picture.gray.size(); ++i) ASSERT_EQ(picture.gray.data[i], mask.labels.data[i]);
+  EXPECT_EQ(scratch.files(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Picture, LabelFormats, ::testing::Values(".png", ".tif", ".TIFF", ".bmp", ".pgm"),
+                         [](const auto& about) { return std::string(about.param).substr(1); });
+
+TEST(Picture, TiffKeepsAnyScaleToOneInAMillion) {
+  const Scratch scratch;
+  for (const double pixel_size : {0.5e-3, 0.0254 / 2400, 0.39e-3, 1e-3 / 3, 7.77e-6}) {
+    specimen::write_labels(scratch.file("a.tif"), mask_of_all_labels(pixel_size));
+    EXPECT_NEAR(specimen::read_picture(scratch.file("a.tif")).pixel_size / pixel_size, 1, 1e-6);
+  }
+}
+
+TEST(Picture, PngAndBmpKeepTheScaleToAWholeNumberOfPixelsPerMetre) {
+  const Scratch scratch;
+  for (const char* name : {"a.png", "a.bmp"}) {
+    specimen::write_labels(scratch.file(name), mask_of_all_labels(0.5e-3));
+    EXPECT_DOUBLE_EQ(specimen::read_picture(scratch.file(name)).pixel_size, 0.5e-3);
+    specimen::write_labels(scratch.file(name), mask_of_all_labels(0.39e-3));
+    EXPECT_DOUBLE_EQ(specimen::read_picture(scratch.file(name)).pixel_size, 1.0 / 2564);
+  }
+}
+
+TEST(Picture, TrustsTheFirstBytesNotTheName) {
+  const Scratch scratch;
+  specimen::write_labels(scratch.file("a.tif"), mask_of_all_labels(1));
+  std::filesystem::rename(scratch.file("a.tif"), scratch.file("a.jpg"));
+  EXPECT_EQ(specimen::read_picture(scratch.file("a.jpg")).cols(), 19);
+}
+
+TEST(Picture, RefusesWhatIsNoPicture) {
+  const Scratch scratch;
+  specimen_test::expect_refused(
+      scratch.write("notes.png", std::string("just some text")),
+      "is no picture that is known here; PNG, TIFF, BMP, JPEG, PGM and PPM are read");
+  specimen_test::expect_refused(scratch.write("empty.png", std::string()),
+                                "is no picture that is known here");
+}
+
+TEST(Picture, RefusesMorePixelsThanAllowed) {
+  const Scratch scratch;
+  for (const char* name : {"a.png", "a.tif", "a.bmp", "a.pgm"}) {
+    specimen::write_labels(scratch.file(name), mask_of_all_labels(1));
+    EXPECT_EQ(specimen::read_picture(scratch.file(name), 14 * 19).rows(), 14);
+    EXPECT_THROW((void)specimen::read_picture(scratch.file(name), 14 * 19 - 1), specimen::Error) << name;
+  }
+}
+
+TEST(Picture, WritesLabelsInKnownFormatsAlone) {
+  const Scratch scratch;
+  for (const char* name : {"labels.jpg", "labels", ".hidden/labels"}) try {
+      specimen::write_labels(scratch.file(name), mask_of_all_labels(1));
+      ADD_FAILURE() << name;
+    } catch (const specimen::Error& error) {
+      EXPECT_EQ(error.fault, specimen::Fault::write);
+      EXPECT_THAT(error.what(),
+                  ::testing::HasSubstr("labels are written as .png, .tif, .tiff, .bmp or .pgm"));
+    }
+}
+
+}  // namespace
