@@ -1,7 +1,7 @@
 #include "apps/evidence_commands.hpp"
 
 #include "apps/bench/bench_command.hpp"
-#include "apps/reproduce/reproduce_command.hpp"
+#include "apps/reproduce/campaign.hpp"
 
 namespace app {
 

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/system/console.hpp"
-#include "apps/system/memory_limit.hpp"
 #include "apps/command/program.hpp"
+#include "apps/system/processes.hpp"
 #include "apps/system/terminal.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
@@ -31,13 +30,8 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size is an error as any other
   app::limit_memory();
   const app::Terminal err = app::terminal_at(STDERR_FILENO);
-  app::Console console{std::cout,
-                       std::cerr,
-                       err.animated,
-                       false,
-                       app::Origins(),
-                       err.coloured,
-                       app::terminal_at(STDOUT_FILENO).coloured};
+  app::Console console{
+      std::cout, std::cerr, err.animated, false, {}, err.coloured, app::terminal_at(STDOUT_FILENO).coloured};
   const std::vector<std::string> arguments(argv + 1, argv + argc);
 #ifdef MESOPIX_EVIDENCE
   const app::MoreCommands more = app::evidence_commands();

@@ -1,17 +1,19 @@
-#include "apps/bench/error_report.hpp"
+#include "apps/bench/error_study.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
+#include "apps/text/version.hpp"
+#include "apps/text/words.hpp"
 
-#include "apps/drawing/chart_layout.hpp"
-#include "apps/text/html.hpp"
+#include "apps/drawing/chart.hpp"
+#include "apps/drawing/drawing_files.hpp"
 #include "apps/report/key_figures.hpp"
-#include "apps/drawing/png.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_words.hpp"
-#include "apps/text/text.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
 
 namespace app::bench {
 namespace {
@@ -20,7 +22,7 @@ using output::escape;
 
 constexpr std::array tolerances{0.05, 0.01, 0.001};
 constexpr double chart_width = 640, chart_height = 440;  // [px]
-constexpr const char* title = "Error against run time";
+constexpr const char* error_title = "Error against run time";
 
 /// "0.83 %", "12 %", "3.1 × 10⁻¹² %".
 std::string error_text(double error) { return output::rounded(100 * error, 2) + " %"; }
@@ -151,9 +153,9 @@ std::string error_html(const std::vector<ProblemResult>& results) {
       "run, solved in many ways by mesopix {}. Each run had one thread and the machine to itself; its time "
       "is that "
       "of its time loop. Order: the power of the size with which the error falls.</p>\n</header>\n",
-      title, escape(output::version()));
+      error_title, escape(version()));
   for (const ProblemResult& result : results) html += problem_html(result);
-  return output::page(title, html + output::section("The cheapest way", cheapest_table(results)));
+  return output::page(error_title, html + output::section("The cheapest way", cheapest_table(results)));
 }
 
 std::string error_png(const ProblemResult& result) {

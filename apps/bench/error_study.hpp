@@ -1,4 +1,5 @@
 /// Error against run time: problems with a known answer, solved in many ways.
+/// What the bench of errors found, as a page, as a table and in a few lines.
 #pragma once
 
 #include <cstdint>
@@ -80,5 +81,17 @@ struct Cheapest {
 
 /// The most exact run of all.   @pre some run came to its end.
 [[nodiscard]] Cheapest most_exact(const ProblemResult& result);
+
+/// One chart a problem, error against wall time, and the cheapest way to 5 %, 1 % and 0.1 %.
+[[nodiscard]] std::string error_html(const std::vector<ProblemResult>& results);
+
+/// The chart of a problem as PNG, twice its size on the page.
+[[nodiscard]] std::string error_png(const ProblemResult& result);
+
+/// A line a run: problem, method, what is refined, its size, error, wall time, point-updates, order, front.
+[[nodiscard]] std::string error_csv(const std::vector<ProblemResult>& results);
+
+/// For the console: the cheapest ways, a line a problem and tolerance.
+[[nodiscard]] std::string error_text(const std::vector<ProblemResult>& results);
 
 }  // namespace app::bench

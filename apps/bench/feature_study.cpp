@@ -1,11 +1,18 @@
+// What the features cost, as text, page and table.
 #include "apps/bench/feature_study.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
-#include "apps/reproduce/trial.hpp"
-#include "apps/job/scene_builder.hpp"
+#include "apps/job/job.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/report/key_figures.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/reproduce/trial.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/version.hpp"
 #include "libmpm/run/simulate.hpp"
 
 namespace app::bench {
@@ -13,10 +20,8 @@ namespace {
 
 using mpm::kernels::Check;
 
-constexpr double unbreakable = mpm::Phase::unbreakable;
-
 /// The paper's specimen, pulled so fast that some hundred steps take it to where points fail.
-mpm::Scene concrete(int pixels, mpm::Kinematics kinematics) {
+mpm::Scene feature_specimen(int pixels, mpm::Kinematics kinematics) {
   const double pixel = 150.0 / pixels;  // [mm]
   const Settings settings =
       reproduce::settings_of({"tension", {{"generate.pixel_size", std::to_string(pixel) + " mm"}}, false});
@@ -34,8 +39,8 @@ mpm::Scene concrete(int pixels, mpm::Kinematics kinematics) {
 mpm::Scene with_limits(mpm::Scene scene, bool can_crack) {
   for (auto& phase : scene.phases)
     if (phase) {
-      phase->cohesion = unbreakable;
-      if (!can_crack) phase->tensile_scale = unbreakable;
+      phase->cohesion = mpm::Phase::unbreakable;
+      if (!can_crack) phase->tensile_scale = mpm::Phase::unbreakable;
     }
   return scene;
 }
@@ -48,7 +53,7 @@ void check_all(mpm::Plan& plan) {
 /// Features that both kinematics may leave out.
 void add_common(std::vector<FeatureCase>& cases, int pixels, mpm::Kinematics kinematics) {
   const std::string name = kinematics == mpm::Kinematics::moving ? "moving points" : "small strain";
-  const auto whole = [=] { return concrete(pixels, kinematics); };
+  const auto whole = [=] { return feature_specimen(pixels, kinematics); };
   const auto cracking = [=] { return with_limits(whole(), true); };
   const auto elastic = [=] { return with_limits(whole(), false); };
   cases.push_back({"tension test", name, "nothing can fail", elastic,
@@ -73,7 +78,7 @@ void add_common(std::vector<FeatureCase>& cases, int pixels, mpm::Kinematics kin
 }
 
 void add_moving(std::vector<FeatureCase>& cases, int pixels) {
-  const auto whole = [=] { return concrete(pixels, mpm::Kinematics::moving); };
+  const auto whole = [=] { return feature_specimen(pixels, mpm::Kinematics::moving); };
   cases.push_back({"deformation gradient", "moving points", "nobody asked for it", whole,
                    [](mpm::Plan& plan) { plan.moving.optional.deformation = true; }, 1e-9});
   cases.push_back({"blend with PIC", "moving points", "all is FLIP", whole,
@@ -140,7 +145,7 @@ std::vector<FeatureCase> all_features(int pixels) {
   std::vector<FeatureCase> cases;
   add_common(cases, pixels, mpm::Kinematics::small_strain);
   cases.push_back({"second elastic constant", "small strain", "all phases share Poisson's ratio",
-                   [=] { return concrete(pixels, mpm::Kinematics::small_strain); },
+                   [=] { return feature_specimen(pixels, mpm::Kinematics::small_strain); },
                    [](mpm::Plan& plan) { plan.features.one_poisson_ratio = false; }, 1e-6});
   add_common(cases, pixels, mpm::Kinematics::moving);
   add_moving(cases, pixels);
@@ -157,6 +162,62 @@ std::vector<FeatureCost> measure_features(const std::vector<FeatureCase>& cases,
     if (progress) progress(costs.size(), cases.size());
   }
   return costs;
+}
+
+namespace {
+
+constexpr const char* feature_title = "What features cost";
+
+double nanoseconds(double seconds) { return 1e9 * seconds; }
+
+std::string agreement_text(const FeatureCost& cost) {
+  if (!cost.same_failures) return "NO: other points fail";
+  return (cost.agrees() ? "to " : "NO: off by ") + output::rounded(cost.difference, 1);
+}
+
+}  // namespace
+
+std::string feature_text(const std::vector<FeatureCost>& costs) {
+  std::string text = fmt::format("{:24} {:14} {:>8} {:>8} {:>8}   {}\n", "feature", "kinematics", "without",
+                                 "with", "costs", "results agree");
+  for (const FeatureCost& cost : costs)
+    text += fmt::format("{:24} {:14} {:8.2f} {:8.2f} {:+8.2f}   {}\n", cost.feature, cost.kinematics,
+                        nanoseconds(cost.time_without), nanoseconds(cost.time_with),
+                        nanoseconds(cost.time_with - cost.time_without), agreement_text(cost));
+  return text + "times in ns a point and step, on one core\n";
+}
+
+std::string feature_html(const std::vector<FeatureCost>& costs) {
+  std::vector<std::vector<std::string>> rows;
+  for (const FeatureCost& cost : costs)
+    rows.push_back({cost.feature + ", " + cost.kinematics, cost.scene,
+                    output::with_decimals(nanoseconds(cost.time_without), 2),
+                    output::with_decimals(nanoseconds(cost.time_with), 2),
+                    output::percent(cost.time_with / cost.time_without - 1), agreement_text(cost)});
+  return output::page(
+      feature_title,
+      fmt::format(
+          "<header>\n<h1>{}</h1>\n<p class=\"setting\">Runs by mesopix {} of the paper's specimen that do "
+          "without a feature, and the same runs with the feature compiled in all the same.</p>\n</header>\n",
+          feature_title, output::escape(version())) +
+          output::section(
+              "Nanoseconds a point and step, on one core",
+              output::number_table({"Feature", "Left out where", "Without", "With", "Costs", "Results agree"},
+                                   rows) +
+                  "<div class=\"remarks\">\n" +
+                  output::paragraph(
+                      "Medians of runs that took turns. Results agree when the same points fail in the "
+                      "same way and the stress differs by rounding, over its peak.") +
+                  "</div>\n"));
+}
+
+std::string feature_csv(const std::vector<FeatureCost>& costs) {
+  std::string csv = "feature,kinematics,scene,without_s,with_s,difference,same_failures,agrees\n";
+  for (const FeatureCost& cost : costs)
+    csv += fmt::format("{},{},{},{},{},{},{:d},{:d}\n", cost.feature, cost.kinematics, cost.scene,
+                       output::exact(cost.time_without), output::exact(cost.time_with),
+                       output::exact(cost.difference), cost.same_failures, cost.agrees());
+  return csv;
 }
 
 }  // namespace app::bench

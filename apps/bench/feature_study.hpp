@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/solver/plan.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace app::bench {
 

@@ -1,14 +1,11 @@
-#include "apps/bench/known_problems.hpp"
+#include "apps/bench/problem_table.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include "libmpm/problems/bar_vibration.hpp"
-#include "libmpm/problems/colliding_discs.hpp"
-#include "libmpm/problems/disc_flight.hpp"
-#include "libmpm/problems/manufactured.hpp"
+#include "libmpm/problems/flights.hpp"
 #include "libmpm/problems/plate.hpp"
-#include "libmpm/problems/uniform_flight.hpp"
+#include "libmpm/problems/waves.hpp"
 
 namespace app::bench {
 namespace {
@@ -24,7 +21,7 @@ Measured measured(double error, const known::Cost& cost, std::string trouble) {
 }
 
 /// A method of moving points and its Courant number.
-struct Way {
+struct Recipe {
   known::Method method;
   double cfl = 0.5;
 
@@ -34,8 +31,8 @@ struct Way {
 };
 
 /// Shapes, schemes, transfers, precision and the step, each varied alone from GIMP MUSL FLIP.
-std::vector<Way> ways(bool with_usf = true) {
-  std::vector<Way> all{{{Shape::gimp}}, {{Shape::linear}}, {{Shape::bspline}}};
+std::vector<Recipe> recipes(bool with_usf = true) {
+  std::vector<Recipe> all{{{Shape::gimp}}, {{Shape::linear}}, {{Shape::bspline}}};
   if (with_usf) all.push_back({{Shape::gimp, Scheme::usf}});
   all.push_back({{Shape::gimp, Scheme::usl}});
   all.push_back({{Shape::gimp, Scheme::musl, Transfer::apic}});
@@ -48,10 +45,10 @@ std::vector<Way> ways(bool with_usf = true) {
 
 /// @param solve  a way and a number of cells into what was measured.
 template <class Solve>
-std::vector<Method> over_cells(const std::vector<Way>& ways, const std::vector<int>& cells,
+std::vector<Method> over_cells(const std::vector<Recipe>& recipes, const std::vector<int>& cells,
                                const Solve& solve) {
   std::vector<Method> methods;
-  for (const Way& way : ways) {
+  for (const Recipe& way : recipes) {
     Method method{way.name(), "cell", "", {}, {}};
     for (const int n : cells) {
       method.sizes.push_back(1.0 / n);
@@ -118,7 +115,7 @@ Problem bar_problem() {
           "v = v₀ sin(πx / 2L) cos ωt",
           "Phase error and dissipation together: a bar that lags or fades away is off by up to 1.",
           {},
-          over_cells(ways(), {8, 16, 32, 64}, [](const Way& way, int cells) {
+          over_cells(recipes(), {8, 16, 32, 64}, [](const Recipe& way, int cells) {
             const known::Vibration it = known::vibrate_bar(way.method, cells, way.cfl);
             return measured(it.error, it.cost, it.trouble);
           })};
@@ -133,7 +130,7 @@ Problem manufactured_problem() {
           "left "
           "out, because the body force comes as a kick before the step.",
           {},
-          over_cells(ways(false), {8, 16, 32, 64}, [](const Way& way, int cells) {
+          over_cells(recipes(false), {8, 16, 32, 64}, [](const Recipe& way, int cells) {
             const double cfl = way.cfl == 0.5 ? 0.4 : way.cfl;
             const known::Deformation it = known::deform_as_made_up(way.method, cells, 0.05, cfl);
             return measured(it.error, it.cost, it.trouble);
@@ -205,7 +202,7 @@ Problem flight_problem() {
           "nothing may be strained in uniform flight",
           "The patch test: rounding alone, so that it grows with the number of steps.",
           {},
-          over_cells(ways(), {6, 12, 24}, [](const Way& way, int cells) {
+          over_cells(recipes(), {6, 12, 24}, [](const Recipe& way, int cells) {
             known::Patch it = known::fly_uniformly(way.method, cells, 25 * cells);
             return measured(it.stress, it.cost, it.trouble);
           })};
@@ -219,7 +216,7 @@ Problem spin_problem() {
           "APIC keeps it, to rounding with B-splines; FLIP loses it with the square of the cell, PIC in each "
           "step.",
           {},
-          over_cells(ways(), {8, 16, 32, 64}, [](const Way& way, int cells) {
+          over_cells(recipes(), {8, 16, 32, 64}, [](const Recipe& way, int cells) {
             const known::Flight it = known::fly(way.method, cells, way.cfl);
             return measured(it.lost_spin, it.cost, it.trouble);
           })};
@@ -232,7 +229,7 @@ Problem collision_problem() {
           "total energy stays",
           "Contact through the grid, and what crossing cells does to the energy.",
           {},
-          over_cells(ways(), {20, 40, 80}, [](const Way& way, int cells) {
+          over_cells(recipes(), {20, 40, 80}, [](const Recipe& way, int cells) {
             const known::Collision it = known::collide(way.method, cells, way.cfl);
             return measured(it.kept_energy - 1, it.cost, it.trouble);
           })};

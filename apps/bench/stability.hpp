@@ -1,3 +1,6 @@
+/// A case of the bench of limits: what is done, and what must come of it.
+/// The cases by group.
+/// All cases of the bench of limits.
 /// The bench of limits: runs at the edge of what the solver bears, each with what must come of it.
 #pragma once
 
@@ -6,9 +9,37 @@
 #include <string>
 #include <vector>
 
-#include "apps/bench/stability_case.hpp"
-
 namespace app::bench {
+
+/// What a case found.
+struct Finding {
+  bool holds = false;
+  std::string seen;  ///< the figures that were measured, in words
+};
+
+struct StabilityCase {
+  std::string name;              ///< as it is asked for, e.g. "contrast"
+  std::string group;             ///< heading under which it stands
+  std::string must;              ///< what must happen, in words
+  std::function<Finding()> run;  ///< on the thread that calls; what it throws is a failure
+};
+
+[[nodiscard]] std::vector<StabilityCase> material_cases();   ///< stiffness, Poisson's ratio, density
+[[nodiscard]] std::vector<StabilityCase> strength_cases();   ///< what fails, down to the last point
+[[nodiscard]] std::vector<StabilityCase> geometry_cases();   ///< pictures at their extremes
+[[nodiscard]] std::vector<StabilityCase> point_cases();      ///< points a cell, and where they stand in it
+[[nodiscard]] std::vector<StabilityCase> time_step_cases();  ///< on both sides of the critical step
+[[nodiscard]] std::vector<StabilityCase> loading_cases();    ///< speed and ramp of the platen
+[[nodiscard]] std::vector<StabilityCase> motion_cases();     ///< points that move
+[[nodiscard]] std::vector<StabilityCase> turning_cases();    ///< and turn
+[[nodiscard]] std::vector<StabilityCase> number_cases();     ///< precision, and numbers that are hardly any
+
+/// In the order in which they are reported, those of a group one after the other; no name comes twice.
+[[nodiscard]] const std::vector<StabilityCase>& stability_cases();
+
+/// Cases by name, in the order of the table; all of them for no names.
+/// @throws Rejected for a name that is none.
+[[nodiscard]] std::vector<const StabilityCase*> select_cases(const std::vector<std::string>& names);
 
 struct StabilityOptions {
   std::vector<std::string> cases;  ///< names; empty = all

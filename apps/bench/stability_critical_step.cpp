@@ -1,12 +1,12 @@
-#include "apps/bench/stability_critical_step.hpp"
+#include "apps/bench/stability_motion.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "libmpm/solver/lattice/extra_points.hpp"
 #include "libmpm/solver/grid.hpp"
+#include "libmpm/solver/lattice/lattice_points.hpp"
 
 namespace app::bench {
 namespace {

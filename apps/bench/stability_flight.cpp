@@ -1,4 +1,4 @@
-#include "apps/bench/stability_flight.hpp"
+#include "apps/bench/stability_motion.hpp"
 
 #include <cmath>
 

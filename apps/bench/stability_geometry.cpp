@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "apps/bench/stability_groups.hpp"
-#include "apps/bench/stability_judge.hpp"
+#include "apps/bench/stability.hpp"
 #include "apps/bench/stability_scenes.hpp"
 
 namespace app::bench {

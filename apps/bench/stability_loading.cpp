@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/bench/stability_groups.hpp"
-#include "apps/bench/stability_judge.hpp"
+#include "apps/bench/stability.hpp"
 #include "apps/bench/stability_scenes.hpp"
 
 namespace app::bench {

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/bench/stability_critical_step.hpp"
-#include "apps/bench/stability_groups.hpp"
-#include "apps/bench/stability_judge.hpp"
+#include "apps/bench/stability.hpp"
+#include "apps/bench/stability_motion.hpp"
 #include "apps/bench/stability_scenes.hpp"
 #include "libmpm/solver/lattice/cell_limit.hpp"
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 
 #include "apps/bench/stability.hpp"
-#include "apps/text/html.hpp"
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report_parts.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/version.hpp"
 
 namespace app::bench {
 namespace {
@@ -102,7 +103,7 @@ std::string stability_html(const StabilityOutcome& outcome) {
       "<header>\n<h1>{}</h1>\n<p class=\"setting\">Runs at the edge of what mesopix {} bears, each with what "
       "must "
       "come of it: {}.</p>\n</header>\n",
-      title, escape(output::version()), escape(summary(outcome)));
+      title, escape(version()), escape(summary(outcome)));
   return output::page(title, header + sections(outcome));
 }
 

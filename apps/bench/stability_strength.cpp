@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/bench/stability_groups.hpp"
-#include "apps/bench/stability_judge.hpp"
+#include "apps/bench/stability.hpp"
 #include "apps/bench/stability_scenes.hpp"
+#include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/material/failure.hpp"
-#include "libmpm/kernels/kernels.hpp"
-#include "libmpm/solver/lattice/lattice_points.hpp"
 #include "libmpm/material/strength.hpp"
+#include "libmpm/solver/threshold.hpp"
 
 namespace app::bench {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "apps/bench/stability_flight.hpp"
-#include "apps/bench/stability_groups.hpp"
-#include "apps/bench/stability_judge.hpp"
+#include "apps/bench/stability.hpp"
+#include "apps/bench/stability_motion.hpp"
+#include "apps/bench/stability_scenes.hpp"
 
 namespace app::bench {
 namespace {

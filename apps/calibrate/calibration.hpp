@@ -1,14 +1,15 @@
 /// Fitting free parameters of a scene to a target.
+/// How much fitted parameters would differ with other random strengths.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "apps/calibrate/evaluation.hpp"
+#include "apps/calibrate/calibration_target.hpp"
 #include "apps/calibrate/free_parameters.hpp"
-#include "apps/run/seed_runs.hpp"
 #include "apps/calibrate/trend_search.hpp"
+#include "apps/run/seed_runs.hpp"
 #include "specimen/body/specimen.hpp"
 
 namespace app {
@@ -48,5 +49,12 @@ using CalibrationObserver = std::function<void(const Calibration& so_far)>;
 /// @throws Rejected when no set of parameters near the start could be run.
 [[nodiscard]] Calibration calibrate(const CalibrationTask& task, const std::function<bool()>& stopped,
                                     const CalibrationObserver& observer = {});
+
+/// Relative standard deviation of each parameter: that of the mean peak over seeds, carried over to the
+/// parameters by the slopes that the evaluations near the best one show.
+/// @return nullopt where a curve was aimed at, where there are more parameters than figures of the peak, and
+/// where evaluations or runs are too few to tell.
+[[nodiscard]] std::optional<std::vector<double>> parameter_spread(const CalibrationTask& task,
+                                                                  const Calibration& calibration);
 
 }  // namespace app

@@ -1,14 +1,37 @@
+/// A measured stress-strain curve, as a calibration aims at it.
 /// What a calibration aims at, and how far off runs are.
+/// What one set of parameters gave.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "apps/run/seed_runs.hpp"
-#include "apps/calibrate/target_curve.hpp"
 
 namespace app {
+
+/// Stress over strain, positive in the direction of the loading; strains do not fall.
+struct TargetCurve {
+  std::vector<double> strain;  ///< [-]
+  std::vector<double> stress;  ///< [Pa], same length
+
+  [[nodiscard]] bool empty() const { return strain.empty(); }
+  [[nodiscard]] double last_strain() const { return strain.back(); }
+  [[nodiscard]] double peak_stress() const;  ///< [Pa]
+  [[nodiscard]] double peak_strain() const;  ///< where the stress is highest
+};
+
+/// Columns "strain" (or "strain_%", "strain_microstrain") and "stress_MPa" (or _Pa, _kPa, _GPa) of a table
+/// with a header and cells between commas; further columns are skipped, so that curve.csv of a run will do.
+/// Empty lines and lines that begin with # are skipped too.
+/// @throws Rejected (Exit::data) with every mistake at its line and column, (Exit::io) when the file cannot
+/// be read.
+[[nodiscard]] TargetCurve read_target_curve(const std::string& path);
+
+/// The same from text; `path` is for the messages.
+[[nodiscard]] TargetCurve parse_target_curve(const std::string& text, const std::string& path);
 
 /// Of a stress-strain curve.
 struct Peak {
@@ -52,5 +75,13 @@ using Figures = Eigen::VectorXd;
 
 /// The scene whose runs reach all of a curve and little beyond; unchanged where a peak is aimed at.
 [[nodiscard]] mpm::Scene scene_for(const Target& target, mpm::Scene scene);
+
+struct Evaluation {
+  std::vector<double> factors;  ///< one a parameter
+  double misfit = 0;            ///< [-], see misfit()
+  Peak peak;                    ///< mean of the seeds; 0 where a run was of no use
+  Figures figures;              ///< what the misfit compares; empty where a run was of no use
+  bool coarse = false;          ///< of the search for the peak that goes before a fit to a curve
+};
 
 }  // namespace app

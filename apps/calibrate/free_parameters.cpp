@@ -8,9 +8,9 @@
 #include <optional>
 #include <set>
 
-#include "apps/text/number_text.hpp"
-#include "apps/text/suggestion.hpp"
+#include "apps/text/quantity.hpp"
 #include "apps/text/text_parts.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {
@@ -68,9 +68,9 @@ bool can_fail(const mpm::Scene& scene, const std::string& name) {
                      [&](const auto& phase) { return phase && phase->name == name && phase->can_fail(); });
 }
 
-class Reader {
+class ParameterReader {
  public:
-  Reader(const Settings& settings, const mpm::Scene& scene)
+  ParameterReader(const Settings& settings, const mpm::Scene& scene)
       : settings_(settings), scene_(scene), phases_(names_of_phases(scene)) {}
 
   std::vector<FreeParameter> read(const std::string& text) {
@@ -217,7 +217,7 @@ std::string ScaledSetting::text(double factor) const {
 
 std::vector<FreeParameter> parse_free(const std::string& text, const Settings& settings,
                                       const mpm::Scene& scene) {
-  return Reader(settings, scene).read(text);
+  return ParameterReader(settings, scene).read(text);
 }
 
 void scale(Settings& settings, const std::vector<FreeParameter>& parameters,

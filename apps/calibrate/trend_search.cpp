@@ -1,12 +1,114 @@
 #include "apps/calibrate/trend_search.hpp"
 
+#include <fmt/format.h>
+#include <nlopt.h>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-
-#include "apps/calibrate/bounded_minimum.hpp"
-#include "apps/calibrate/trend.hpp"
+#include <exception>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
 
 namespace app {
+namespace {
+
+constexpr double resolution = 1e-7;
+constexpr int most_evaluations = 5000;
+
+struct Destroy {
+  void operator()(nlopt_opt optimizer) const { nlopt_destroy(optimizer); }
+};
+using Optimizer = std::unique_ptr<std::remove_pointer_t<nlopt_opt>, Destroy>;
+
+/// What the C library is handed: it must see no exception.
+struct Call {
+  const std::function<double(const std::vector<double>&)>& function;
+  nlopt_opt optimizer;
+  std::exception_ptr thrown;
+};
+
+extern "C" double mesopix_evaluate(unsigned count, const double* x, double* /*gradient*/, void* data) {
+  Call& call = *static_cast<Call*>(data);
+  try {
+    return call.function(std::vector<double>(x, x + count));
+  } catch (...) {
+    call.thrown = std::current_exception();
+    nlopt_force_stop(call.optimizer);
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+}  // namespace
+
+std::vector<double> bounded_minimum(const Box& box,
+                                    const std::function<double(const std::vector<double>&)>& function) {
+  const Optimizer optimizer(nlopt_create(NLOPT_LN_BOBYQA, static_cast<unsigned>(box.start.size())));
+  if (!optimizer) throw std::bad_alloc();
+  Call call{function, optimizer.get(), nullptr};
+  nlopt_set_min_objective(optimizer.get(), mesopix_evaluate, &call);
+  nlopt_set_lower_bounds(optimizer.get(), box.low.data());
+  nlopt_set_upper_bounds(optimizer.get(), box.high.data());
+  nlopt_set_xtol_abs1(optimizer.get(), resolution);
+  nlopt_set_maxeval(optimizer.get(), most_evaluations);
+  std::vector<double> x = box.start;
+  double least = 0;
+  const nlopt_result result = nlopt_optimize(optimizer.get(), x.data(), &least);
+  if (call.thrown) std::rethrow_exception(call.thrown);
+  if (result < 0 && result != NLOPT_ROUNDOFF_LIMITED)  // then it is as good as numbers allow
+    throw std::runtime_error(
+        fmt::format("the search for a minimum failed: {}", nlopt_result_to_string(result)));
+  return x;
+}
+
+std::string name_of_minimizer() {
+  int major = 0;
+  int minor = 0;
+  int patch = 0;
+  nlopt_version(&major, &minor, &patch);
+  return fmt::format("BOBYQA (NLopt {}.{}.{})", major, minor, patch);
+}
+
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
+  auto decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>();
+  decomposition.setThreshold(1e-6);
+  decomposition.compute(matrix);
+  return decomposition.pseudoInverse();
+}
+
+namespace {
+
+constexpr double core = 0.1;  ///< evaluations closer than this weigh alike
+
+std::vector<const Evaluation*> with_figures(const std::vector<Evaluation>& history) {
+  std::vector<const Evaluation*> known;
+  for (const Evaluation& evaluation : history)
+    if (evaluation.figures.size() > 0) known.push_back(&evaluation);
+  return known;
+}
+
+}  // namespace
+
+Eigen::VectorXd logarithms_of(const std::vector<double>& factors) {
+  return Eigen::Map<const Eigen::ArrayXd>(factors.data(), static_cast<Eigen::Index>(factors.size())).log();
+}
+
+Trend fit_trend(const std::vector<Evaluation>& history, const Eigen::VectorXd& centre) {
+  const std::vector<const Evaluation*> known = with_figures(history);
+  Eigen::MatrixXd x(static_cast<Eigen::Index>(known.size()), centre.size() + 1);
+  Eigen::MatrixXd y(x.rows(), known.front()->figures.size());
+  for (Eigen::Index row = 0; row < x.rows(); ++row) {
+    const Evaluation& evaluation = *known[static_cast<std::size_t>(row)];
+    const Eigen::VectorXd change = logarithms_of(evaluation.factors) - centre;
+    const double weight = 1 / std::hypot(core, change.norm());
+    x.row(row) << weight, weight * change.transpose();
+    y.row(row) = weight * evaluation.figures.transpose();
+  }
+  const Eigen::MatrixXd solution = pseudo_inverse(x) * y;
+  return {centre, solution.row(0).transpose(), solution.bottomRows(centre.size()).transpose()};
+}
+
 namespace {
 
 constexpr std::size_t patience = 6;      ///< evaluations without a better one

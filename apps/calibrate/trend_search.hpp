@@ -1,13 +1,56 @@
+/// The least value of a smooth function within bounds, without its derivatives.
+/// Inverse of a matrix that may have none.
+/// The trend of figures over parameters, without the noise of single evaluations.
 /// Search for the parameters of least misfit along the trend of all evaluations.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "apps/calibrate/evaluation.hpp"
+#include "apps/calibrate/calibration_target.hpp"
 
 namespace app {
+
+struct Box {
+  std::vector<double> start;
+  std::vector<double> low, high;  ///< same length; start lies within
+};
+
+/// Where the function is least, to 1e-7, by BOBYQA: quadratic models in a trust region.
+/// @throws what the function throws.
+/// Source: Powell (2009), as NLopt has it.
+[[nodiscard]] std::vector<double> bounded_minimum(
+    const Box& box, const std::function<double(const std::vector<double>&)>& function);
+
+/// "BOBYQA (NLopt 2.7.1)".
+[[nodiscard]] std::string name_of_minimizer();
+
+/// Moore and Penrose's inverse: what it gives is the least-squares solution, the smallest where there are
+/// many. Singular values below 1e-6 of the largest count as zero.
+[[nodiscard]] Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix);
+
+/// Figures as linear functions of the logarithms of the factors. Strengths and moduli act on peaks as powers,
+/// and breaking is so abrupt that a single peak jumps by some per cent from one set of parameters to the
+/// next.
+struct Trend {
+  Eigen::VectorXd centre;     ///< logarithms of factors
+  Eigen::VectorXd at_centre;  ///< figures there
+  Eigen::MatrixXd slope;      ///< of the figures, shape (figures, parameters)
+
+  [[nodiscard]] Eigen::VectorXd at(const Eigen::VectorXd& logarithms) const {
+    return at_centre + slope * (logarithms - centre);
+  }
+};
+
+/// Least squares, in which evaluations close to the centre weigh most: a tenth is as close as on the spot.
+/// Parameters that the evaluations do not tell apart share a slope, one that was not changed has slope 0.
+/// @pre at least one evaluation has figures, and all that have them have as many.
+[[nodiscard]] Trend fit_trend(const std::vector<Evaluation>& history, const Eigen::VectorXd& centre);
+
+[[nodiscard]] Eigen::VectorXd logarithms_of(const std::vector<double>& factors);
 
 /// Where a search begins and what ends it. Variables are the logarithms of the factors.
 struct TrendPlan {

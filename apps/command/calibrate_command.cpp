@@ -1,4 +1,4 @@
-#include "apps/command/calibrate_command.hpp"
+#include "apps/command/run_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -6,14 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/calibrate/calibration_folder.hpp"
-#include "apps/calibrate/calibration_json.hpp"
-#include "apps/calibrate/calibration_words.hpp"
-#include "apps/scene/input.hpp"
-#include "apps/system/interrupt.hpp"
-#include "apps/text/json_text.hpp"
-#include "apps/run/run_location.hpp"
+#include "apps/calibrate/calibration_report.hpp"
 #include "apps/job/specimen_source.hpp"
-#include "apps/system/terminal_line.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/system/processes.hpp"
+#include "apps/system/terminal.hpp"
+#include "apps/text/markup.hpp"
 
 namespace app {
 namespace {
@@ -105,7 +104,7 @@ Exit CalibrateCommand::run(Console& console) {
     throw Rejected(Exit::usage, complaint("SCENE", "missing", "", "mesopix calibrate SCENE"));
   Target target = read_target(wish_);
   Resolved resolved = resolve_scene(input_, settings_.assignments());
-  console.origins = resolved.origins;
+  console.locate = located_by(resolved.origins);
   Settings& settings = resolved.settings;
   check_loading(settings.scene);
   settle_source(settings);

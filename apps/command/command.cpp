@@ -1,26 +1,47 @@
 #include "apps/command/command.hpp"
 
-#include <array>
-#include <cerrno>
-#include <filesystem>
-#include <fstream>
-#include <string_view>
-#include <system_error>
-
 namespace app {
 
-InputKind kind_of_input(const std::string& path) {
-  if (std::filesystem::is_directory(path)) return InputKind::folder;
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw Rejected(
-        Exit::io, complaint(path, std::generic_category().message(errno), "must be a file that can be read"));
-  std::array<char, 8> start{};
-  stream.read(start.data(), start.size());
-  using namespace std::string_view_literals;
-  if (std::string_view(start.data(), start.size()) == "\x89HDF\r\n\x1a\n"sv) return InputKind::hdf5;
-  return std::filesystem::path(path).extension() == ".toml" ? InputKind::scene : InputKind::picture;
+const std::vector<ExitMeaning>& exit_meanings() {
+  static const std::vector<ExitMeaning> all{
+      {Exit::ok, "EX_OK", "done", "What was asked for is done."},
+      {Exit::usage, "EX_USAGE", "wrong usage",
+       "The command line is wrong: an unknown command or option, a value that is not allowed, or options "
+       "that "
+       "contradict each other. Nothing was written."},
+      {Exit::data, "EX_DATAERR", "wrong data or physics",
+       "A scene, a picture, a specimen or another file is wrong, or the physics went wrong; what was "
+       "computed "
+       "until then is kept. Studies and calibrations end so too when members failed or a target was not "
+       "met."},
+      {Exit::internal, "EX_SOFTWARE", "a bug of ours",
+       "A mistake of the program itself: please report it with the message. So ends mesopix bench where a "
+       "case "
+       "does not hold."},
+      {Exit::io, "EX_IOERR", "input or output failed",
+       "A file cannot be read or written, or the disk is full. What the disk took is kept, and the rest is "
+       "named."},
+      {Exit::interrupted, "EX_TEMPFAIL", "interrupted with what was computed kept",
+       "Ended by Ctrl-C, SIGTERM or the button of the live report; members of a study are still open; or "
+       "another program writes the folder. The same command, or mesopix simulate --resume, goes on."},
+  };
+  return all;
+}
+
+std::string exit_summary() {
+  constexpr std::size_t longest = 99;
+  std::string text;
+  std::size_t line = 0;
+  for (const ExitMeaning& meaning : exit_meanings()) {
+    const std::string part = std::to_string(static_cast<int>(meaning.code)) + " " + meaning.brief;
+    if (!text.empty()) {
+      text += line + 2 + part.size() < longest ? ", " : ",\n";
+      line = text.back() == '\n' ? 0 : line + 2;
+    }
+    text += part;
+    line += part.size();
+  }
+  return text;
 }
 
 }  // namespace app

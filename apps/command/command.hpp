@@ -1,3 +1,4 @@
+/// What the exit codes of the program mean, in words.
 /// What every subcommand is.
 #pragma once
 
@@ -6,10 +7,23 @@
 #include <vector>
 
 #include "apps/command/command_line.hpp"
+#include "apps/system/terminal.hpp"
 #include "apps/text/complaint.hpp"
-#include "apps/system/console.hpp"
 
 namespace app {
+
+struct ExitMeaning {
+  Exit code;
+  const char* name;   ///< in sysexits.h; empty where it has none
+  const char* brief;  ///< "wrong usage"
+  const char* whole;  ///< a sentence or two
+};
+
+/// Every exit code, the smallest first.
+[[nodiscard]] const std::vector<ExitMeaning>& exit_meanings();
+
+/// "0 done, 64 wrong usage, ...", in lines of less than 100 letters.
+[[nodiscard]] std::string exit_summary();
 
 class Command {
  public:
@@ -41,11 +55,5 @@ class Command {
  private:
   CLI::App& options_;
 };
-
-/// What an INPUT is, told by its first bytes and, for scenes, by its name.
-enum class InputKind { hdf5, scene, picture, folder };
-
-/// @throws Rejected (Exit::io) when there is nothing that can be read.
-[[nodiscard]] InputKind kind_of_input(const std::string& path);
 
 }  // namespace app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "apps/text/suggestion.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {

@@ -1,4 +1,4 @@
-#include "apps/command/convert_command.hpp"
+#include "apps/command/specimen_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/scene/input.hpp"
-#include "apps/job/specimen_output.hpp"
 #include "apps/job/specimen_report.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/scene/input.hpp"
 #include "specimen/convert/convert.hpp"
 
 namespace app {
@@ -67,7 +66,7 @@ Exit ConvertCommand::run(Console& console) {
   if (input_.empty())
     throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix convert PICTURE"));
   Resolved resolved = resolve_picture(input_, settings_.assignments());
-  console.origins = resolved.origins;
+  console.locate = located_by(resolved.origins);
   settle_source(resolved.settings);
   const std::string picture = resolved.settings.specimen.picture;
   const std::string output =

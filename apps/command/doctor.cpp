@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/system/other_program.hpp"
-#include "apps/text/suggestion.hpp"
+#include "apps/system/processes.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/files/hdf5_version.hpp"
 #include "specimen/picture/image_libraries.hpp"
 

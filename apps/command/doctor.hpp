@@ -1,17 +1,38 @@
+/// Two runs with known answers, in two seconds.
 /// What is well with this machine and this program, and what is not.
+/// mesopix doctor: whether this machine and this program are ready.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "apps/text/complaint.hpp"
+#include "apps/command/command.hpp"
 #include "apps/system/machine.hpp"
-#include "apps/command/self_test.hpp"
 #include "apps/system/terminal.hpp"
+#include "apps/text/complaint.hpp"
 #include "apps/text/version.hpp"
 
 namespace app {
+
+struct SelfTest {
+  static constexpr double allowed_modulus_error = 2e-3, allowed_peak_error = 1e-3;
+
+  double modulus_error = 0;  ///< of a block without cracks over E / (1 - nu^2) [-]
+  double peak_error = 0;     ///< of the peak stress of a block with aggregates that cracks, over the one that
+                             ///< it had where the program was made [-]
+  bool same_on_threads = false;   ///< that run has the same bits on one thread and on several
+  int threads = 1;                ///< those
+  double updates_per_second = 0;  ///< point-updates on one thread [1/s]
+  double share_of_peak = 0;  ///< operations of them over what one core can do at most, measured just now [-]
+
+  [[nodiscard]] bool is_right() const {
+    return modulus_error < allowed_modulus_error && peak_error < allowed_peak_error && same_on_threads;
+  }
+};
+
+/// @param threads  to compare with one, > 1 where there are as many cores.
+[[nodiscard]] SelfTest run_self_test(int threads);
 
 enum class Health { ok, warning, failed };
 
@@ -54,5 +75,15 @@ struct Examination {
 /// Findings and the figures that they go by.
 [[nodiscard]] nlohmann::ordered_json examination_json(const Examination& examination,
                                                       const std::vector<Finding>& findings);
+
+class DoctorCommand : public Command {
+ public:
+  explicit DoctorCommand(CLI::App& program);
+  Exit run(Console& console) override;
+
+ private:
+  bool json_ = false;
+  bool quiet_ = false;
+};
 
 }  // namespace app

@@ -1,9 +1,8 @@
-#include "apps/command/doctor_command.hpp"
+#include "apps/command/doctor.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "apps/command/doctor.hpp"
-#include "apps/text/json_text.hpp"
+#include "apps/text/markup.hpp"
 
 namespace app {
 namespace {

@@ -1,4 +1,4 @@
-#include "apps/command/export_command.hpp"
+#include "apps/command/output_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "apps/command/export_formats.hpp"
+#include "apps/system/files.hpp"
 #include "apps/system/hdf5_files.hpp"
-#include "apps/text/json_text.hpp"
-#include "apps/text/suggestion.hpp"
-#include "apps/system/text_file.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
 
@@ -92,7 +91,7 @@ std::string default_output(const fs::path& input, const ExportFormat& format) {
 }
 
 /// A file that says by its name what it is, and is not the input.
-void check_file(const std::string& output, const std::string& input, const ExportFormat& format) {
+void check_output_file(const std::string& output, const std::string& input, const ExportFormat& format) {
   const std::string ending = fs::path(format.ending).extension().empty()
                                  ? format.ending
                                  : fs::path(format.ending).extension().string();
@@ -160,7 +159,7 @@ Exit ExportCommand::run(Console& console) {
   const std::optional<specimen::Specimen> specimen = specimen_in(input_);
   if (!specimen) return export_run(input_, console);
   const std::string output = output_.empty() ? default_output(input_, format) : output_;
-  check_file(output, input_, format);
+  check_output_file(output, input_, format);
   console.say(format.write({*specimen, output, plane}));
   tell({output}, console);
   return Exit::ok;

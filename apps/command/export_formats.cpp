@@ -1,20 +1,17 @@
-#include "apps/command/export_formats.hpp"
+#include "apps/command/output_commands.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
 
+#include "apps/export/imagej.hpp"
+#include "apps/export/mesh_files.hpp"
 #include "apps/text/complaint.hpp"
-#include "apps/export/gmsh.hpp"
-#include "apps/export/inclusion_table.hpp"
-#include "apps/export/roi.hpp"
-#include "apps/export/vtk_image.hpp"
-#include "apps/export/zip.hpp"
-#include "apps/text/shell_word.hpp"
-#include "apps/text/suggestion.hpp"
+#include "apps/text/text_parts.hpp"
+#include "apps/text/words.hpp"
+#include "specimen/body/files.hpp"
 #include "specimen/picture/picture.hpp"
-#include "specimen/body/replace_file.hpp"
 
 namespace app {
 namespace {

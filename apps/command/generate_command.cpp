@@ -1,11 +1,10 @@
-#include "apps/command/generate_command.hpp"
+#include "apps/command/specimen_commands.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "apps/scene/input.hpp"
-#include "apps/job/specimen_output.hpp"
 #include "apps/job/specimen_report.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/scene/input.hpp"
 
 namespace app {
 namespace {
@@ -40,7 +39,7 @@ Exit GenerateCommand::run(Console& console) {
   console.quiet = quiet_;
   check_output(output_, scene_);
   Resolved resolved = resolve_ellipses(scene_, settings_.assignments());
-  console.origins = resolved.origins;
+  console.locate = located_by(resolved.origins);
   settle_source(resolved.settings);
   const Prepared prepared = prepare_specimen(resolved.settings);
   const bool random = source_of(resolved.settings) == Source::generated;

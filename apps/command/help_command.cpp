@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "apps/text/suggestion.hpp"
 #include "apps/system/terminal.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {

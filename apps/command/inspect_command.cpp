@@ -1,4 +1,4 @@
-#include "apps/command/inspect_command.hpp"
+#include "apps/command/output_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "apps/system/hdf5_files.hpp"
-#include "apps/text/json_text.hpp"
 #include "apps/job/specimen_report.hpp"
-#include "apps/text/strain_text.hpp"
+#include "apps/system/hdf5_files.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
 #include "specimen/picture/picture.hpp"

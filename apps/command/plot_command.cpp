@@ -1,4 +1,4 @@
-#include "apps/command/plot_command.hpp"
+#include "apps/command/output_commands.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,18 +6,17 @@
 #include <optional>
 #include <utility>
 
-#include "apps/settings/codec.hpp"
-#include "apps/text/json_text.hpp"
-#include "apps/drawing/chart_layout.hpp"
-#include "apps/drawing/damage_drawing.hpp"
-#include "apps/drawing/png.hpp"
+#include "apps/drawing/chart.hpp"
+#include "apps/drawing/damage_picture.hpp"
+#include "apps/drawing/drawing_files.hpp"
+#include "apps/drawing/ticks.hpp"
 #include "apps/report/run_charts.hpp"
-#include "apps/drawing/strain_unit.hpp"
-#include "apps/text/text.hpp"
-#include "apps/drawing/vector_file.hpp"
-#include "apps/settings/read_option.hpp"
-#include "apps/run/run_reader.hpp"
+#include "apps/run/run_location.hpp"
 #include "apps/run/stress_plot.hpp"
+#include "apps/settings/assignment.hpp"
+#include "apps/settings/codec.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {
@@ -42,7 +41,7 @@ constexpr const char* plot_footer =
     "  mesopix plot runs/specimen --what stress --component first --range \"0:5 MPa\" -o stress.pdf";
 
 enum class What { damage, curve, stress };
-enum class Look { grey, colour };
+enum class Palette { grey, colour };
 using output::StressComponent;
 enum class Format { png, svg, pdf };
 
@@ -99,9 +98,9 @@ double reached_strain(const std::string& text, const mpm::Result& result) {
   return strain;
 }
 
-output::Drawing damage(const ReadRun& run, double strain, Look look) {
+output::Drawing damage(const ReadRun& run, double strain, Palette look) {
   return output::damage_drawing(run.specimen.mask, run.result, strain,
-                                look == Look::grey ? output::grey_palette() : output::colour_palette(),
+                                look == Palette::grey ? output::grey_palette() : output::colour_palette(),
                                 output::strain_words(run.result, strain, 0));
 }
 
@@ -157,7 +156,8 @@ Exit PlotCommand::run(Console& console) {
   const What what = chosen<What>(
       "--what", what_, {{"damage", What::damage}, {"stress", What::stress}, {"curve", What::curve}});
   check_fit();
-  const Look look = chosen<Look>("--look", look_, {{"grey", Look::grey}, {"colour", Look::colour}});
+  const Palette look =
+      chosen<Palette>("--look", look_, {{"grey", Palette::grey}, {"colour", Palette::colour}});
   const StressComponent component = chosen<StressComponent>("--component", component_, components);
   std::optional<output::ColourScale> range;
   if (range_ != "auto") range = read_range(range_);

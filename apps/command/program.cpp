@@ -6,25 +6,19 @@
 #include <algorithm>
 #include <sstream>
 
-#include "apps/command/calibrate_command.hpp"
+#include "apps/command/command.hpp"
 #include "apps/command/command_line.hpp"
-#include "apps/command/convert_command.hpp"
-#include "apps/command/doctor_command.hpp"
-#include "apps/command/exit_codes.hpp"
-#include "apps/command/export_command.hpp"
-#include "apps/command/generate_command.hpp"
+#include "apps/command/doctor.hpp"
 #include "apps/command/help_command.hpp"
-#include "apps/command/inspect_command.hpp"
-#include "apps/command/plot_command.hpp"
-#include "apps/settings/refusal.hpp"
-#include "apps/command/report_command.hpp"
+#include "apps/command/output_commands.hpp"
+#include "apps/command/run_commands.hpp"
 #include "apps/command/scene_command.hpp"
-#include "apps/command/simulate_command.hpp"
-#include "apps/command/study_command.hpp"
-#include "apps/text/suggestion.hpp"
+#include "apps/command/specimen_commands.hpp"
+#include "apps/command/study_commands.hpp"
+#include "apps/settings/assignment.hpp"
 #include "apps/system/terminal.hpp"
-#include "apps/command/twin_command.hpp"
 #include "apps/text/version.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {
@@ -172,7 +166,7 @@ Exit run_program(const std::vector<std::string>& arguments, Console& console, co
   } catch (const CLI::ParseError& error) {
     return refuse(console, {Exit::usage, complaint(error.what(), "", "", "mesopix --help")});
   } catch (const std::exception&) {
-    return refuse(console, refusal_of(std::current_exception(), console.origins));
+    return refuse(console, refusal_of(std::current_exception(), console.locate));
   }
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/system/terminal.hpp"
 #include "apps/text/complaint.hpp"
-#include "apps/system/console.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a library's own
 class App;

@@ -1,13 +1,13 @@
-#include "apps/command/report_command.hpp"
+#include "apps/command/output_commands.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/system/hdf5_files.hpp"
-#include "apps/text/json_text.hpp"
 #include "apps/report/comparison.hpp"
-#include "apps/scene/scene_differences.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/system/hdf5_files.hpp"
+#include "apps/text/markup.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "apps/command/scene_check.hpp"
+#include "apps/command/scene_command.hpp"
 
 #include <fmt/format.h>
 
@@ -10,20 +10,19 @@
 #include <set>
 
 #include "apps/job/job.hpp"
-#include "apps/report/load_words.hpp"
-#include "apps/settings/refusal.hpp"
-#include "apps/job/scene_builder.hpp"
+#include "apps/report/run_words.hpp"
 #include "apps/scene/scene_doubt.hpp"
 #include "apps/scene/scene_file.hpp"
+#include "apps/scene/toml.hpp"
+#include "apps/settings/assignment.hpp"
 #include "apps/study/study_file.hpp"
 #include "apps/study/study_members.hpp"
 #include "apps/study/study_run.hpp"
-#include "apps/system/text_file.hpp"
-#include "apps/scene/toml_statements.hpp"
-#include "libmpm/scene/faults.hpp"
+#include "apps/system/files.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
+#include "libmpm/scene/error.hpp"
 #include "libmpm/solver/plan.hpp"
-#include "specimen/pack/faults.hpp"
+#include "specimen/pack/packing.hpp"
 
 namespace app {
 namespace {
@@ -87,7 +86,7 @@ class SceneCheck {
       step();
       return true;
     } catch (const std::exception&) {
-      const Rejected refused = refusal_of(std::current_exception(), resolved_.origins);
+      const Rejected refused = refusal_of(std::current_exception(), located_by(resolved_.origins));
       if (refused.code == Exit::internal) throw;
       for (const Complaint& one : refused.complaints)
         if (!has_complaint(one.field)) complaints_.push_back(place(one));
@@ -231,7 +230,7 @@ CheckedFile check_study(const std::string& text, const std::string& path, bool i
   try {
     return check_members(path);
   } catch (const std::exception&) {
-    return refused(path, refusal_of(std::current_exception(), {}));
+    return refused(path, refusal_of(std::current_exception()));
   }
 }
 

@@ -4,14 +4,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/text/json_text.hpp"
-#include "apps/command/scene_check.hpp"
-#include "apps/scene/scene_draft.hpp"
-#include "apps/scene/scene_schema.hpp"
+#include "apps/scene/scene_text.hpp"
 #include "apps/settings/schema.hpp"
-#include "apps/text/shell_word.hpp"
-#include "apps/text/suggestion.hpp"
-#include "apps/system/text_file.hpp"
+#include "apps/system/files.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/text_parts.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {

@@ -1,10 +1,10 @@
-#include "apps/command/self_test.hpp"
+#include "apps/command/doctor.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "apps/system/machine_peak.hpp"
+#include "apps/system/machine.hpp"
 #include "libmpm/run/simulate.hpp"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "apps/command/simulate_command.hpp"
+#include "apps/command/run_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "apps/run/explanation.hpp"
-#include "apps/scene/input.hpp"
-#include "apps/text/json_text.hpp"
-#include "apps/report/load_words.hpp"
-#include "apps/text/text.hpp"
-#include "apps/settings/read_option.hpp"
-#include "apps/run/resumption.hpp"
-#include "apps/run/run_location.hpp"
-#include "apps/scene/scene_text.hpp"
-#include "apps/run/solving.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/run/run_remarks.hpp"
+#include "apps/run/run_task.hpp"
+#include "apps/run/solving.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/settings/assignment.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
 
 namespace app {
 namespace {
@@ -149,7 +149,7 @@ Exit SimulateCommand::begin(Console& console) {
   remarks.estimate_error = estimate_error_;
   remarks.checkpoint_every = checkpoint_every().value_or(0);
   Resolved resolved = resolve_input("INPUT", input_, settings_.assignments());
-  console.origins = resolved.origins;
+  console.locate = located_by(resolved.origins);
   Settings& settings = resolved.settings;
   settle_source(settings);
   if (settings.title.empty()) settings.title = fs::path(input_).stem().string();

@@ -1,12 +1,12 @@
-#include "apps/command/study_collect_command.hpp"
+#include "apps/command/study_commands.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "apps/text/json_text.hpp"
-#include "apps/study/study_closing.hpp"
+#include "apps/study/study_outcome.hpp"
 #include "apps/study/study_results.hpp"
+#include "apps/text/markup.hpp"
 
 namespace app {
 

@@ -1,23 +1,17 @@
-#include "apps/command/study_command.hpp"
+#include "apps/command/study_commands.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/system/interrupt.hpp"
-#include "apps/system/job_pool.hpp"
-#include "apps/text/json_text.hpp"
-#include "apps/text/text.hpp"
-#include "apps/settings/read_option.hpp"
-#include "apps/text/shell_word.hpp"
-#include "apps/study/study_closing.hpp"
-#include "apps/command/study_collect_command.hpp"
-#include "apps/study/study_fields.hpp"
+#include "apps/settings/assignment.hpp"
 #include "apps/study/study_file.hpp"
-#include "apps/study/study_line.hpp"
-#include "apps/command/study_status_command.hpp"
-#include "apps/command/study_submit_command.hpp"
+#include "apps/study/study_outcome.hpp"
+#include "apps/system/job_pool.hpp"
+#include "apps/system/processes.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
 #include "apps/text/text_parts.hpp"
 
 namespace app {

@@ -1,4 +1,4 @@
-#include "apps/command/study_input.hpp"
+#include "apps/command/study_commands.hpp"
 
 #include <filesystem>
 

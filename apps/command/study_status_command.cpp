@@ -1,4 +1,4 @@
-#include "apps/command/study_status_command.hpp"
+#include "apps/command/study_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/text/json_text.hpp"
-#include "apps/study/slurm_queue.hpp"
+#include "apps/study/slurm.hpp"
+#include "apps/text/markup.hpp"
 
 namespace app {
 namespace {
@@ -31,28 +31,28 @@ Count count(const OpenStudy& study) {
 }
 
 /// A job that was submitted, and its tasks that have not ended.
-struct Job {
+struct ClusterJob {
   std::string id;
   std::map<std::string, int> states;  ///< number of tasks by state
 };
 
 /// Slurm is asked only where there is such a job.
-std::vector<Job> jobs_of(const OpenStudy& study) {
-  std::vector<Job> jobs;
+std::vector<ClusterJob> jobs_of(const OpenStudy& study) {
+  std::vector<ClusterJob> jobs;
   for (const SlurmFolder& folder : slurm_folders(study.folder.path()))
     if (const std::string id = folder.job_id(); !id.empty()) jobs.push_back({id, tasks_in_queue(id)});
   return jobs;
 }
 
-nlohmann::ordered_json json_of(const Count& count, const std::vector<Job>& jobs) {
+nlohmann::ordered_json json_of(const Count& count, const std::vector<ClusterJob>& jobs) {
   nlohmann::ordered_json json{{"members", count.all},   {"done", count.done},
                               {"failed", count.failed}, {"begun", count.begun},
                               {"open", count.open},     {"jobs", nlohmann::json::array()}};
-  for (const Job& job : jobs) json["jobs"].push_back({{"id", job.id}, {"tasks", job.states}});
+  for (const ClusterJob& job : jobs) json["jobs"].push_back({{"id", job.id}, {"tasks", job.states}});
   return json;
 }
 
-std::string job_text(const Job& job) {
+std::string job_text(const ClusterJob& job) {
   std::string states;
   for (const auto& [state, tasks] : job.states)
     states += fmt::format("{}{} {}", states.empty() ? "" : ", ", tasks, state);
@@ -73,7 +73,7 @@ StudyStatusCommand::StudyStatusCommand(CLI::App& study)
 Exit StudyStatusCommand::run(Console& console) {
   const OpenStudy study = open_study(input_);
   const Count members = count(study);
-  const std::vector<Job> jobs = jobs_of(study);
+  const std::vector<ClusterJob> jobs = jobs_of(study);
   if (json_) {
     console.out << json_text(json_of(members, jobs));
     return Exit::ok;
@@ -81,7 +81,7 @@ Exit StudyStatusCommand::run(Console& console) {
   console.out << fmt::format("{}: {} members: {} done, {} failed, {} begun, {} open\n",
                              printable(study.folder.path().string()), members.all, members.done,
                              members.failed, members.begun, members.open);
-  for (const Job& job : jobs) console.out << job_text(job) << '\n';
+  for (const ClusterJob& job : jobs) console.out << job_text(job) << '\n';
   return Exit::ok;
 }
 

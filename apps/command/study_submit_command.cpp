@@ -1,4 +1,4 @@
-#include "apps/command/study_submit_command.hpp"
+#include "apps/command/study_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/text/json_text.hpp"
-#include "apps/system/other_program.hpp"
-#include "apps/settings/read_option.hpp"
-#include "apps/text/shell_word.hpp"
-#include "apps/study/slurm_queue.hpp"
+#include "apps/settings/assignment.hpp"
+#include "apps/study/slurm.hpp"
 #include "apps/study/study_run.hpp"
+#include "apps/system/processes.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/text_parts.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {

@@ -1,14 +1,14 @@
-#include "apps/command/twin_command.hpp"
+#include "apps/command/specimen_commands.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "apps/scene/input.hpp"
-#include "apps/system/interrupt.hpp"
-#include "apps/run/run_location.hpp"
 #include "apps/job/specimen_source.hpp"
-#include "apps/system/terminal_line.hpp"
+#include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/system/processes.hpp"
+#include "apps/system/terminal.hpp"
 #include "apps/twin/twin_folder.hpp"
 #include "apps/twin/twin_words.hpp"
 
@@ -83,7 +83,7 @@ Exit TwinCommand::run(Console& console) {
     throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix twin PICTURE"));
   (void)twin_options(wish_);
   Resolved resolved = resolve_input("PICTURE", input_, settings_.assignments());
-  console.origins = resolved.origins;
+  console.locate = located_by(resolved.origins);
   settle_source(resolved.settings);
   Prepared prepared = prepare_specimen(resolved.settings);
   const specimen::ItzOptions itz =

@@ -1,10 +1,12 @@
 /// What a chart says: data, axes, series. How it looks is the matter of chart_layout and the renderers.
+/// Where everything of a chart goes.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "apps/drawing/ink.hpp"
+#include "apps/drawing/colours.hpp"
+#include "apps/drawing/drawing.hpp"
 
 namespace output {
 
@@ -40,5 +42,9 @@ struct Chart {
   std::vector<Series> series;  ///< more than one: a legend is drawn
   std::vector<Marker> markers;
 };
+
+/// Lay a chart out in a width and height [px]. A line with more points than can be seen is thinned to the
+/// first, last, lowest and highest of each half column of pixels, which leaves its picture as it was.
+[[nodiscard]] Drawing lay_out(const Chart& chart, double width, double height);
 
 }  // namespace output

@@ -1,12 +1,11 @@
-#include "apps/drawing/chart_layout.hpp"
+#include "apps/drawing/chart.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "apps/text/text.hpp"
-#include "apps/drawing/thin_line.hpp"
 #include "apps/drawing/ticks.hpp"
+#include "apps/text/figures.hpp"
 
 namespace output {
 namespace {
@@ -112,14 +111,14 @@ struct Frame {
   }
 };
 
-struct LegendEntry {
+struct LegendPlace {
   const Series* series = nullptr;
   Place at;  ///< left end, on the base line
 };
 
 /// Names in rows that fill the width; none for a single line.
-std::vector<LegendEntry> legend_of(const std::vector<Series>& series, double width, double first_base_line) {
-  std::vector<LegendEntry> entries;
+std::vector<LegendPlace> legend_of(const std::vector<Series>& series, double width, double first_base_line) {
+  std::vector<LegendPlace> entries;
   if (series.size() < 2) return entries;
   Place at{edge, first_base_line};
   for (const Series& line : series) {
@@ -136,8 +135,8 @@ std::string title_of(const Axis& axis) {
   return axis.unit.empty() ? axis.label : axis.label + " (" + axis.unit + ")";
 }
 
-void draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries) {
-  for (const LegendEntry& entry : entries) {
+void draw_legend(Drawing& drawing, const std::vector<LegendPlace>& entries) {
+  for (const LegendPlace& entry : entries) {
     const double middle = entry.at.y - 0.35 * text_size;
     drawing.shapes.emplace_back(Stroke{{{entry.at.x, middle}, {entry.at.x + sample_length, middle}},
                                        entry.series->ink,
@@ -215,7 +214,7 @@ double widest(const std::vector<Tick>& ticks) {
 Drawing lay_out(const Chart& in_units, double width, double height) {
   const Chart chart = in_scale(in_units);
   Drawing drawing{width, height, chart.title, {}};
-  const std::vector<LegendEntry> legend = legend_of(chart.series, width, 2 * line_height);
+  const std::vector<LegendPlace> legend = legend_of(chart.series, width, 2 * line_height);
 
   Frame frame;
   const bool has_words = std::any_of(chart.markers.begin(), chart.markers.end(),

@@ -1,11 +1,66 @@
 #include "apps/drawing/damage_picture.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 
-#include "specimen/picture/preview.hpp"
+#include "apps/drawing/picture_parts.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/words.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace output {
+namespace {
+
+double largest_strain(const mpm::Result& result) {
+  double largest = 0;
+  for (const mpm::HistoryRow& row : result.history)
+    if (std::isfinite(row.strain)) largest = std::max(largest, row.strain);
+  return largest;
+}
+
+DamageStage stage_at(const mpm::Result& result, int percent) {
+  DamageStage stage{percent, percent / 100.0 * result.peak_strain, 0, 0};
+  const auto strain = static_cast<float>(stage.strain);
+  for (Eigen::Index i = 0; i < result.failure_strain.size(); ++i) {
+    const bool failed = result.failure_strain.data()[i] <= strain;
+    const auto mode = static_cast<mpm::FailureMode>(result.failure_mode.data()[i]);
+    stage.tension += failed && mode == mpm::FailureMode::tension;
+    stage.shear += failed && mode == mpm::FailureMode::shear;
+    stage.shear += result.crush_strain.size() > 0 && result.crush_strain.data()[i] <= strain;
+  }
+  return stage;
+}
+
+}  // namespace
+
+DamageStages damage_stages(const mpm::Result& result) {
+  DamageStages stages;
+  const bool has_peak = std::isfinite(result.peak_strain) && result.peak_strain > 0;
+  stages.reached = has_peak ? largest_strain(result) / result.peak_strain : 0;
+  for (const int percent : stage_percents)
+    if (percent <= 100 * stages.reached * (1 + 1e-6))  // the last row may miss a round strain by round-off
+      stages.drawn.push_back(stage_at(result, percent));
+    else
+      stages.missing.push_back(percent);
+  return stages;
+}
+
+std::string missing_note(const DamageStages& stages) {
+  if (stages.missing.empty()) return "";
+  if (stages.reached == 0) return "The run has no peak stress, so no picture of damage was drawn.";
+  std::vector<std::string> percents;
+  for (const int percent : stages.missing) percents.push_back(fmt::format("{} %", percent));
+  return fmt::format("The run ended at {:.0f} % of the peak strain: there is no picture of damage at {}.",
+                     std::floor(100 * stages.reached * (1 + 1e-6)), listed(percents));
+}
+
+std::string picture_name(int percent, bool colour) {
+  return fmt::format("damage_{:03}{}.png", percent, colour ? "_colour" : "");
+}
+
 namespace {
 
 using specimen::Rgb;
@@ -70,6 +125,36 @@ specimen::Raster<Rgb> damage_picture(const specimen::LabelledMask& mask, const m
                                                                : palette.phases[mask.labels.data[pixel]];
   }
   return picture;
+}
+
+namespace {
+
+std::vector<LegendEntry> legend_of(const specimen::LabelledMask& mask, const mpm::Result& result,
+                                   double strain, const Palette& palette) {
+  std::set<mpm::FailureMode> modes;
+  for (Eigen::Index pixel = 0; pixel < result.failure_strain.size(); ++pixel)
+    modes.insert(failure_at(result, pixel, strain));
+  std::vector<LegendEntry> entries;
+  if (modes.count(mpm::FailureMode::tension) > 0) entries.push_back({palette.tension, "failed in tension"});
+  if (modes.count(mpm::FailureMode::shear) > 0) entries.push_back({palette.shear, "failed in shear"});
+  const std::set<std::uint8_t> labels(mask.labels.data.begin(), mask.labels.data.end());
+  for (const std::uint8_t label : labels)
+    entries.push_back({palette.phases[label], phase_word(mask.phases[label])});
+  return entries;
+}
+
+}  // namespace
+
+Drawing damage_drawing(const specimen::LabelledMask& mask, const mpm::Result& result, double strain,
+                       const Palette& palette, const std::string& words) {
+  Drawing drawing{picture_width, 0, words, {}};
+  const int factor = crisp_factor(mask.labels.rows, mask.labels.cols);
+  double y =
+      add_picture(drawing, magnified(damage_picture(mask, result, strain, palette), factor)) + text_line;
+  add_scale_bar(drawing, picture_width / mask.width(), y, words);
+  y = add_legend(drawing, legend_of(mask, result, strain, palette), y + text_line + 6);
+  drawing.height = y + 6;
+  return drawing;
 }
 
 }  // namespace output

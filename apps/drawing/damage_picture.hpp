@@ -1,13 +1,44 @@
+/// The strains at which damage is shown.
 /// Pictures of damage at a strain.
+/// A picture of damage with all that a reader needs beside it.
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
+#include "apps/drawing/drawing.hpp"
 #include "libmpm/scene/result.hpp"
 #include "specimen/body/mask.hpp"
 #include "specimen/picture/picture.hpp"
 
 namespace output {
+
+/// Where pictures are taken [% of the peak strain].
+inline constexpr std::array stage_percents{25, 50, 75, 100, 125, 150};
+
+struct DamageStage {
+  int percent = 0;           ///< of the peak strain
+  double strain = 0;         ///< of the platens [-]
+  std::int64_t tension = 0;  ///< pixels whose point had failed in tension by then
+  std::int64_t shear = 0;    ///< the same in shear; ones crushed after cracking count in both
+};
+
+struct DamageStages {
+  std::vector<DamageStage> drawn;  ///< those that the run reached
+  std::vector<int> missing;        ///< those that it did not [%]
+  double reached = 0;              ///< largest strain over the peak strain [-]
+};
+
+/// Stages of a run; none are drawn where there is no peak strain.
+[[nodiscard]] DamageStages damage_stages(const mpm::Result& result);
+
+/// One sentence about the stages that are missing; empty when none is.
+[[nodiscard]] std::string missing_note(const DamageStages& stages);
+
+/// "damage_025.png", "damage_025_colour.png".
+[[nodiscard]] std::string picture_name(int percent, bool colour);
 
 /// What each phase and each failure looks like.
 struct Palette {
@@ -33,5 +64,10 @@ struct Palette {
 [[nodiscard]] specimen::Raster<specimen::Rgb> damage_picture(const specimen::LabelledMask& mask,
                                                              const mpm::Result& result, double strain,
                                                              const Palette& palette);
+
+/// Damage at a platen strain [-], with a scale bar, a legend of what is in it, and a line of words below.
+/// @pre as damage_picture.
+[[nodiscard]] Drawing damage_drawing(const specimen::LabelledMask& mask, const mpm::Result& result,
+                                     double strain, const Palette& palette, const std::string& words);
 
 }  // namespace output

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "apps/drawing/ink.hpp"
+#include "apps/drawing/colours.hpp"
 
 namespace output {
 

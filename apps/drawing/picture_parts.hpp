@@ -1,3 +1,4 @@
+/// Pictures in another size, by whole factors only.
 /// What stands below a picture of a specimen, as all of them have it.
 #pragma once
 
@@ -5,8 +6,24 @@
 #include <vector>
 
 #include "apps/drawing/drawing.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace output {
+
+/// Every pixel becomes factor x factor pixels.   @pre factor >= 1.
+[[nodiscard]] specimen::Raster<specimen::Rgb> magnified(const specimen::Raster<specimen::Rgb>& picture,
+                                                        int factor);
+
+/// Every factor x factor pixels (fewer at the right and bottom edge) become their mean.   @pre factor >= 1.
+[[nodiscard]] specimen::Raster<specimen::Rgb> shrunk(const specimen::Raster<specimen::Rgb>& picture,
+                                                     int factor);
+
+/// Smallest whole factor that brings a picture to at least 600 pixels in width without bringing its height
+/// above 4000; 1 where it has them.
+[[nodiscard]] int file_magnification(int rows, int cols);
+
+/// Smallest whole factor that brings both sides to at most `most` pixels.
+[[nodiscard]] int shrink_factor(int rows, int cols, int most);
 
 inline constexpr double picture_width = 480;  ///< of a specimen on a drawing [px]
 inline constexpr double text_line = 22;       ///< from line to line [px]

@@ -1,14 +1,39 @@
+/// What of the stress at a point a picture shows.
+/// What the colours of a picture mean.
 /// A picture of stress with all that a reader needs beside it.
 #pragma once
 
 #include <optional>
+#include <string>
 
-#include "apps/drawing/colour_scale.hpp"
+#include "apps/drawing/colours.hpp"
 #include "apps/drawing/drawing.hpp"
-#include "apps/drawing/stress_component.hpp"
+#include "libmpm/solver/frame.hpp"
 #include "specimen/body/mask.hpp"
 
 namespace output {
+
+/// first and third are the largest and the smallest of the three principal stresses, that out of the plane
+/// included.
+enum class StressComponent { yy, xx, xy, first, third, mises };
+
+/// Of what the point carries [Pa]; tension is positive.
+[[nodiscard]] double stress_of(const mpm::FramePoint& point, StressComponent component);
+
+/// "stress in the direction of loading".
+/// @param loaded  between platens, which move along y.
+[[nodiscard]] std::string phrase_of(StressComponent component, bool loaded);
+
+struct ColourBar {
+  ColourScale scale;
+  std::string title;        ///< with the unit
+  bool more_below = false;  ///< values lie below the scale: its end is pointed
+  bool more_above = false;
+};
+
+/// A title, and below it the bar with ticks.
+/// @param y  of the title's base line.   @return y of the base line of the ticks' numbers.
+double add_colour_bar(Drawing& drawing, const ColourBar& bar, double y);
 
 struct StressLook {
   StressComponent component = StressComponent::yy;

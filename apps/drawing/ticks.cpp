@@ -1,15 +1,17 @@
 #include "apps/drawing/ticks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
-#include "apps/text/text.hpp"
+#include "apps/text/figures.hpp"
 
 namespace output {
 namespace {
 
 /// Smallest of 1, 2, 5 times a power of ten that is not below a width.
-double round_up(double width) {
+double round_step(double width) {
   const double power = std::pow(10.0, std::floor(std::log10(width)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power >= width * (1 - 1e-9)) return factor * power;
@@ -26,10 +28,10 @@ std::vector<double> multiples(double step, double low, double high) {
 }  // namespace
 
 Ticks ticks_between(double low, double high, int at_most) {
-  double step = round_up((high - low) / at_most);
+  double step = round_step((high - low) / at_most);
   std::vector<double> values = multiples(step, low, high);
   while (static_cast<int>(values.size()) > at_most) {
-    step = round_up(step * 1.5);
+    step = round_step(step * 1.5);
     values = multiples(step, low, high);
   }
   return {step, values};
@@ -65,6 +67,69 @@ std::string tick_text(double value, double step) {
     return rounded(value, std::max(1, digits));
   }
   return with_decimals(value, std::max(0, decimals));
+}
+
+namespace {
+
+/// Half a pixel wide, for renderers that draw at twice the size.
+double column_of(const Place& place) { return std::floor(2 * place.x); }
+
+/// Keep what can be seen of places [begin, end), which lie in one column.
+void keep_extremes(const std::vector<Place>& places, std::size_t begin, std::size_t end,
+                   std::vector<Place>& kept) {
+  const auto first = places.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = places.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto [low, high] =
+      std::minmax_element(first, last, [](const Place& a, const Place& b) { return a.y < b.y; });
+  std::array indices{first, low, high, last - 1};
+  std::sort(indices.begin(), indices.end());
+  const auto distinct = std::unique(indices.begin(), indices.end());
+  for (auto it = indices.begin(); it != distinct; ++it) kept.push_back(**it);
+}
+
+}  // namespace
+
+std::vector<std::vector<Place>> unbroken_lines(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<std::vector<Place>> lines(1);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (std::isfinite(x[i]) && std::isfinite(y[i]))
+      lines.back().push_back({x[i], y[i]});
+    else if (!lines.back().empty())
+      lines.emplace_back();
+  }
+  std::erase_if(lines, [](const std::vector<Place>& line) { return line.size() < 2; });
+  return lines;
+}
+
+std::vector<Place> thin_line(const std::vector<Place>& places) {
+  std::vector<Place> kept;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= places.size(); ++i)
+    if (i == places.size() || column_of(places[i]) != column_of(places[begin])) {
+      keep_extremes(places, begin, i, kept);
+      begin = i;
+    }
+  return kept;
+}
+
+StrainUnit strain_unit(double largest_strain) {
+  if (largest_strain >= 0.01) return {"%", 1e2};
+  return {"microstrain", 1e6};
+}
+
+StrainUnit strain_unit(const mpm::Result& result) {
+  double largest = 0;
+  for (const mpm::HistoryRow& row : result.history)
+    if (std::isfinite(row.strain)) largest = std::max(largest, row.strain);
+  return strain_unit(largest);
+}
+
+std::string strain_words(const mpm::Result& result, double strain, int decimals) {
+  const StrainUnit unit = strain_unit(result);
+  std::string words = rounded(unit.per_strain * strain) + " " + unit.name;
+  if (result.peak_strain > 0)
+    words += ", " + percent(strain / result.peak_strain, decimals) + " of the peak strain";
+  return words;
 }
 
 }  // namespace output

@@ -1,8 +1,13 @@
 /// Round numbers along an axis.
+/// Long lines made short without a change that can be seen.
+/// The unit in which strains are shown.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "apps/drawing/drawing.hpp"
+#include "libmpm/scene/result.hpp"
 
 namespace output {
 
@@ -20,5 +25,28 @@ struct Ticks {
 
 /// A tick with as many decimals as the step needs; powers of ten where that would be long.
 [[nodiscard]] std::string tick_text(double value, double step);
+
+/// Runs of points that are finite; a run of one point is dropped.   @pre x and y have one length.
+[[nodiscard]] std::vector<std::vector<Place>> unbroken_lines(const std::vector<double>& x,
+                                                             const std::vector<double>& y);
+
+/// Of the points in each half column of pixels, in their order: the first, the lowest, the highest and the
+/// last.
+[[nodiscard]] std::vector<Place> thin_line(const std::vector<Place>& places);
+
+struct StrainUnit {
+  std::string name;   ///< "microstrain"
+  double per_strain;  ///< how many of it are a strain of 1
+};
+
+/// Percent from a strain of 1 % on, microstrain below.
+[[nodiscard]] StrainUnit strain_unit(double largest_strain);
+
+/// For all strains of a run: that of the largest one.
+[[nodiscard]] StrainUnit strain_unit(const mpm::Result& result);
+
+/// "118 microstrain, 82 % of the peak strain"; without the share where the run has no peak.
+/// @param decimals  of the share.
+[[nodiscard]] std::string strain_words(const mpm::Result& result, double strain, int decimals);
 
 }  // namespace output

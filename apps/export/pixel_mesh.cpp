@@ -1,6 +1,6 @@
 #include "apps/export/pixel_mesh.hpp"
 
-#include "apps/export/text_stream.hpp"
+#include "apps/export/mesh_text.hpp"
 #include "specimen/body/error.hpp"
 
 namespace exchange {

@@ -1,6 +1,10 @@
 #include "apps/job/job.hpp"
 
-#include "apps/job/scene_builder.hpp"
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "apps/text/complaint.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 
@@ -24,6 +28,148 @@ Job prepare_job(Settings settings, Console& console) {
   Prepared prepared = prepare_cells(settings);
   for (const std::string& note : prepared.notes) console.say("note: " + note);
   return make_job(std::move(settings), std::move(prepared));
+}
+
+namespace {
+
+constexpr const char* void_name = "void";
+
+const mpm::Phase* material_of(const std::string& name, const Settings& settings) {
+  for (const mpm::Phase& phase : settings.phases)
+    if (phase.name == name) return &phase;
+  return nullptr;
+}
+
+/// How many pixels and extra points each label has.
+std::vector<std::int64_t> count_points(const specimen::Specimen& specimen) {
+  std::vector<std::int64_t> points = specimen::count_labels(specimen.mask);
+  if (specimen.itz.mode == specimen::ItzMode::points && !specimen.rings.empty())
+    ++points[specimen::phase::itz];
+  return points;
+}
+
+std::vector<std::string> names_in_use(const std::vector<std::string>& names,
+                                      const std::vector<std::int64_t>& points) {
+  std::vector<std::string> used;
+  for (std::size_t label = 0; label < names.size(); ++label)
+    if (points[label] > 0) used.push_back(names[label]);
+  return used;
+}
+
+/// A material for a phase that the specimen does not know is a misspelt name; the phases of concrete are
+/// there by default and may be without use.
+void check_materials(const Settings& settings, const std::vector<std::string>& names,
+                     std::vector<Complaint>& complaints) {
+  const std::vector<mpm::Phase> standard = mpm::concrete_phases();
+  for (const mpm::Phase& phase : settings.phases) {
+    const bool is_standard = std::any_of(standard.begin(), standard.end(),
+                                         [&](const mpm::Phase& known) { return known.name == phase.name; });
+    const bool known = std::find(names.begin(), names.end(), phase.name) != names.end();
+    if (phase.name == void_name)
+      complaints.push_back(
+          complaint("phases.void", "a material", "void is empty", "remove it, or name the phase otherwise"));
+    else if (!known && !is_standard)
+      complaints.push_back(complaint("phases." + phase.name, "no such phase",
+                                     "the specimen has " + listed(names, "and"),
+                                     did_you_mean(phase.name, names)));
+  }
+}
+
+std::vector<std::optional<mpm::Phase>> phases_of(const specimen::Specimen& specimen,
+                                                 const Settings& settings) {
+  const std::vector<std::string>& names = specimen.mask.phases;
+  const std::vector<std::int64_t> points = count_points(specimen);
+  std::vector<Complaint> complaints;
+  check_materials(settings, names, complaints);
+  std::vector<std::optional<mpm::Phase>> phases(names.size());
+  for (std::size_t label = 0; label < names.size(); ++label) {
+    if (names[label] == void_name || points[label] == 0) continue;
+    if (const mpm::Phase* material = material_of(names[label], settings))
+      phases[label] = *material;
+    else
+      complaints.push_back(
+          complaint("phases." + names[label], "has no material",
+                    "the specimen has " + listed(names_in_use(names, points), "and"),
+                    fmt::format("give young, poisson and density in [phases.{0}], or as --{0}.young ...",
+                                names[label])));
+  }
+  if (!complaints.empty()) throw Rejected(Exit::data, complaints);
+  return phases;
+}
+
+mpm::Lattice<std::uint8_t> lattice_of(const specimen::Raster<std::uint8_t>& labels) {
+  return Eigen::Map<const mpm::Lattice<std::uint8_t>>(labels.data.data(), labels.rows, labels.cols);
+}
+
+bool all_void(const mpm::Scene& scene, Eigen::Index first_row) {
+  for (const std::uint8_t label : scene.labels.middleRows(first_row, scene.points_per_cell).reshaped())
+    if (scene.phases[label]) return false;
+  return true;
+}
+
+/// A platen holds the nodes along an edge; where the cells there are empty it would move nothing.
+void check_edges(const mpm::Scene& scene) {
+  const bool top = all_void(scene, 0);
+  if (!top && !all_void(scene, scene.labels.rows() - scene.points_per_cell)) return;
+  throw Rejected(Exit::data,
+                 complaint("specimen", top ? "void along its top edge" : "void along its bottom edge",
+                           "must touch both platens",
+                           "crop the picture with convert.crop to where the material begins"));
+}
+
+/// The paper's ITZ: a material point at each corner of each ring; corners outside the specimen are left out.
+std::vector<mpm::ExtraPoint> itz_points(const specimen::Specimen& specimen) {
+  std::vector<mpm::ExtraPoint> points;
+  if (specimen.itz.mode != specimen::ItzMode::points) return points;
+  const double width = specimen.mask.width();
+  const double height = specimen.mask.height();
+  for (const specimen::Ring& ring : specimen.rings)
+    for (const specimen::Point& vertex : ring.vertices)
+      if (vertex.x >= 0 && vertex.x <= width && vertex.y >= 0 && vertex.y <= height)
+        points.push_back({vertex.x, vertex.y, specimen::phase::itz});
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_per_cell) {
+  const specimen::Raster<std::uint8_t>& old = specimen.mask.labels;
+  const int top = old.rows % points_per_cell;
+  const int right = old.cols % points_per_cell;
+  if (top == 0 && right == 0) return {};
+  if (top == old.rows || right == old.cols)
+    throw Rejected(Exit::data,
+                   complaint("solver.points_per_cell", std::to_string(points_per_cell),
+                             fmt::format("the specimen has only {} x {} pixels", old.cols, old.rows),
+                             "use smaller pixels"));
+  specimen::Raster<std::uint8_t> cropped(old.rows - top, old.cols - right);
+  for (int row = 0; row < cropped.rows; ++row)
+    for (int col = 0; col < cropped.cols; ++col) cropped(row, col) = old(row + top, col);
+  const std::string note = fmt::format(
+      "the specimen was cropped from {} x {} to {} x {} pixels, at its top and right edges, to whole "
+      "cells of {} x {} pixels",
+      old.cols, old.rows, cropped.cols, cropped.rows, points_per_cell, points_per_cell);
+  specimen.mask.labels = std::move(cropped);
+  return {note};
+}
+
+std::vector<Complaint> flight_complaints(const mpm::Loading& loading) {
+  if (loading.direction != mpm::Direction::none) return {};
+  if (loading.initial_velocity_x != 0 || loading.initial_velocity_y != 0) return {};
+  return {complaint("loading.initial_velocity_y", "0 m/s", "without platens a specimen at rest stays at rest",
+                    "give loading.initial_velocity_x or loading.initial_velocity_y")};
+}
+
+mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& settings) {
+  mpm::Scene scene = settings.scene;
+  scene.labels = lattice_of(specimen.mask.labels);
+  scene.pixel_size = specimen.mask.pixel_size;
+  scene.phases = phases_of(specimen, settings);
+  scene.extra_points = itz_points(specimen);
+  if (const auto complaints = flight_complaints(scene.loading); !complaints.empty())
+    throw Rejected(Exit::data, complaints);
+  if (scene.loading.direction != mpm::Direction::none) check_edges(scene);
+  return scene;
 }
 
 }  // namespace app

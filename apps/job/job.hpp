@@ -1,12 +1,14 @@
 /// What is solved, made from what the user asked for.
+/// Where specimen and solver meet: labels become phases, ring vertices become material points.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "apps/system/console.hpp"
-#include "apps/settings/settings.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/settings/settings.hpp"
+#include "apps/system/terminal.hpp"
+#include "apps/text/complaint.hpp"
 #include "libmpm/scene/scene.hpp"
 #include "specimen/body/specimen.hpp"
 
@@ -32,5 +34,17 @@ struct Job {
 
 /// Both in one; notes are said.
 [[nodiscard]] Job prepare_job(Settings settings, Console& console);
+
+/// Cut rows at the top and columns at the right that do not fill a cell of the grid.
+/// @return a sentence about what was cut, none where nothing was.   @throws Rejected when nothing is left.
+[[nodiscard]] std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_per_cell);
+
+/// About a flight, which without platens is all that moves the specimen, and which it needs.
+[[nodiscard]] std::vector<Complaint> flight_complaints(const mpm::Loading& loading);
+
+/// The scene of a specimen whose sides are whole numbers of cells.
+/// @throws Rejected for a phase of the specimen without material, a material without such a phase, and an
+/// edge at a platen that is void throughout.
+[[nodiscard]] mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& settings);
 
 }  // namespace app

@@ -4,8 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "specimen/pack/grading.hpp"
 #include "specimen/body/specimen.hpp"
+#include "specimen/pack/grading.hpp"
 
 namespace app {
 

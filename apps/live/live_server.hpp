@@ -1,3 +1,4 @@
+/// A secret that only those know who were told.
 /// A web server for those on this machine who know its address.
 #pragma once
 
@@ -6,8 +7,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace app {
+
+/// 128 bits of the system's own randomness as 32 hexadecimal digits.   @throws std::system_error without it.
+[[nodiscard]] std::string random_token();
+
+/// In a time that does not depend on where they differ.
+[[nodiscard]] bool same_secret(std::string_view given, std::string_view secret);
 
 /// What it answers with; called from threads of its own, several at a time.
 struct LiveAnswers {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/report/load_words.hpp"
-#include "apps/system/terminal_line.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/system/terminal.hpp"
 
 namespace app {
 namespace {

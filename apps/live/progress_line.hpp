@@ -4,8 +4,8 @@
 #include <ostream>
 #include <string>
 
-#include "libmpm/scene/scene.hpp"
 #include "libmpm/run/simulate.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace app {
 

@@ -1,11 +1,11 @@
-#include "apps/manual/completion_words.hpp"
 #include "apps/manual/completions.hpp"
 #include "apps/manual/expected_value.hpp"
 
 namespace manual {
 namespace {
 
-constexpr const char* beginning = R"(# Completion of mesopix for fish, made from the options of the program.
+constexpr const char* fish_beginning =
+    R"(# Completion of mesopix for fish, made from the options of the program.
 
 # Whether what is typed belongs to the command of this name.
 function __mesopix_at
@@ -33,14 +33,14 @@ end
 
 )";
 
-std::string quoted(const std::string& text) {
+std::string fish_quoted(const std::string& text) {
   std::string made = "'";
   for (const char letter : text)
     made += (letter == '\'' || letter == '\\' ? "\\" : "") + std::string(1, letter);
   return made + "'";
 }
 
-std::string at(const Command& command) { return "__mesopix_at " + quoted(joined(command, " ")); }
+std::string at(const Command& command) { return "__mesopix_at " + fish_quoted(joined(command, " ")); }
 
 std::string line(const std::string& condition, const std::string& rest) {
   return "complete -c mesopix -n \"" + condition + "\"" + rest + "\n";
@@ -65,7 +65,7 @@ std::string value_of(const Option& option, const std::vector<std::string>& keys,
   const ExpectedValue value = expected(option);
   if (value.files && value.endings.empty()) return " -r -F";
   const std::string words = candidates(value, keys, program);
-  return " -x" + (words.empty() ? "" : " -a " + quoted(words));
+  return " -x" + (words.empty() ? "" : " -a " + fish_quoted(words));
 }
 
 std::string names_flags(const std::vector<std::string>& names) {
@@ -79,7 +79,7 @@ std::string option_lines(const Command& command, const Command& program) {
   const std::vector<std::string> keys = keys_of(command);
   std::string text;
   for (const Option& option : with_phases(command.options)) {
-    const std::string rest = value_of(option, keys, program) + " -d " + quoted(option.help);
+    const std::string rest = value_of(option, keys, program) + " -d " + fish_quoted(option.help);
     const std::vector<std::string> listed = listed_names(option);
     if (!listed.empty()) text += line(at(command), names_flags(listed) + rest);
     const std::vector<std::string> by_key = names_by_key(option);
@@ -92,12 +92,12 @@ std::string option_lines(const Command& command, const Command& program) {
 std::string argument_lines(const Command& command, const Command& program) {
   std::string text;
   for (const Command& below : command.below)
-    text += line(at(command), " -a " + below.words.back() + " -d " + quoted(below.description));
+    text += line(at(command), " -a " + below.words.back() + " -d " + fish_quoted(below.description));
   for (const Argument& argument : command.arguments) {
     const ExpectedValue value = expected(argument);
     const std::string words = candidates(value, {}, program);
     if (!words.empty())
-      text += line(at(command), " -a " + quoted(words));
+      text += line(at(command), " -a " + fish_quoted(words));
     else if (value.files)
       text += line(at(command), " -F");
   }
@@ -107,9 +107,9 @@ std::string argument_lines(const Command& command, const Command& program) {
 }  // namespace
 
 std::string fish_completion(const Command& program) {
-  std::string text = beginning + std::string("set -g __mesopix_commands");
+  std::string text = fish_beginning + std::string("set -g __mesopix_commands");
   for (const Command* command : every_command(program))
-    if (command != &program) text += " " + quoted(joined(*command, " "));
+    if (command != &program) text += " " + fish_quoted(joined(*command, " "));
   text += "\n\ncomplete -c mesopix -f\n";
   for (const Command* command : every_command(program))
     text += argument_lines(*command, program) + option_lines(*command, program);

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "apps/command/program.hpp"
 #include "apps/manual/completions.hpp"
 #include "apps/manual/man_pages.hpp"
 #include "apps/manual/reference.hpp"
-#include "apps/command/program.hpp"
-#include "apps/system/text_file.hpp"
+#include "apps/system/files.hpp"
 #include "libmpm/files/replace_file.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"

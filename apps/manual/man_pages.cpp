@@ -1,13 +1,108 @@
 #include "apps/manual/man_pages.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <sstream>
 
-#include "apps/command/exit_codes.hpp"
+#include "apps/command/command.hpp"
+#include "apps/manual/command_tree.hpp"
 #include "apps/manual/expected_value.hpp"
-#include "apps/manual/help_text.hpp"
-#include "apps/manual/roff.hpp"
+#include "apps/manual/setting_words.hpp"
+#include "apps/text/version.hpp"
 
 namespace manual {
+namespace {
+
+std::string escaped(char letter) {
+  switch (letter) {
+    case '\\':
+      return "\\e";
+    case '-':
+      return "\\-";
+    case '\'':
+      return "\\(aq";
+    case '`':
+      return "\\(ga";
+    case '^':
+      return "\\(ha";
+    case '~':
+      return "\\(ti";
+    default:
+      return std::string(1, letter);
+  }
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// In lines of less than 80 letters, none of which is a request; roff fills them anew.
+std::string wrapped(const std::string& formatted) {
+  constexpr std::size_t longest = 78;
+  std::string text;
+  std::size_t line = 0;
+  std::istringstream words(formatted);
+  for (std::string word; words >> word;) {
+    const bool breaks = line > 0 && line + 1 + word.size() > longest;
+    if (line > 0) text += breaks ? "\n" : " ";
+    if (breaks && word.front() == '.') text += "\\&";
+    line = breaks || line == 0 ? word.size() : line + 1 + word.size();
+    text += word;
+  }
+  return text + "\n";
+}
+
+std::string heading(const std::string& name, int section, const std::string& about) {
+  const std::string shelf = section == 1 ? "User Commands" : "File Formats";
+  return ".TH " + upper(roff(name)) + " " + std::to_string(section) + " \"\" \"mesopix " + app::version() +
+         "\" \"" + shelf + "\"\n.SH NAME\n" + roff(name) + " \\- " + roff(about) + "\n";
+}
+
+}  // namespace
+
+std::string roff(const std::string& text) {
+  std::string made = !text.empty() && text.front() == '.' ? "\\&" : "";  // else it would be a request
+  for (const char letter : text) made += escaped(letter);
+  return made;
+}
+
+std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }
+
+std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
+
+ManPage::ManPage(const std::string& name, int section, const std::string& about)
+    : text_(heading(name, section, about)) {}
+
+void ManPage::section(const std::string& title) {
+  text_ += ".SH " + roff(title) + "\n";
+  fresh_ = true;
+}
+
+void ManPage::subsection(const std::string& title) {
+  text_ += ".SS " + roff(title) + "\n";
+  fresh_ = true;
+}
+
+void ManPage::paragraph(const std::string& formatted) {
+  text_ += (fresh_ ? "" : ".PP\n") + wrapped(formatted);
+  fresh_ = false;
+}
+
+void ManPage::item(const std::string& term, const std::string& formatted) {
+  text_ += ".TP\n" + term + "\n" + (formatted.empty() ? "\\&\n" : wrapped(formatted));
+  fresh_ = false;
+}
+
+void ManPage::verbatim(const std::vector<std::string>& lines) {
+  text_ += fresh_ ? "" : ".PP\n";
+  text_ += ".RS 4\n.nf\n";
+  for (const std::string& line : lines) text_ += (line.empty() ? "\\&" : roff(line)) + "\n";
+  text_ += ".fi\n.RE\n";
+  fresh_ = false;
+}
+
 namespace {
 
 constexpr const char* general = "Options";  // heading of the options that belong to no group
@@ -131,6 +226,57 @@ std::vector<File> man_pages(const Command& program, const std::string& scene) {
     pages.push_back({joined(*command, "-") + ".1", command_man_page(*command, program)});
   pages.push_back({"mesopix-scene.5", scene_man_page(scene)});
   return pages;
+}
+
+namespace {
+
+std::string described(const SettingWords& setting) {
+  std::string text = roff(setting.help) + ".";
+  if (!setting.allowed.empty()) text += " Allowed: " + roff(setting.allowed) + ".";
+  if (!setting.default_value.empty()) text += " Default: " + roff(setting.default_value) + ".";
+  return text;
+}
+
+void write_types(ManPage& page) {
+  page.section("QUANTITIES");
+  for (const TypeWords& type : quantity_types())
+    page.item(italic(type.name), "Units: " + roff(type.units) + ". Example: \"" + roff(type.example) + "\".");
+  page.item(italic("N"), "A whole number.");
+  page.paragraph("Words that a type shows in small letters, as " + bold("auto") +
+                 ", stand for themselves, in quotes.");
+}
+
+void write_table(ManPage& page, const TableWords& table) {
+  page.subsection("[" + table.name + "]: " + table.title);
+  for (const SettingWords& setting : table.settings)
+    page.item(bold(app::leaf_of(setting.key)) + " " + italic(setting.type), described(setting));
+}
+
+std::vector<std::string> man_lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+std::string scene_man_page(const std::string& scene) {
+  ManPage page("mesopix-scene", 5, "scene files of mesopix");
+  page.section("DESCRIPTION");
+  for (const std::string& paragraph : about_scenes()) page.paragraph(roff(paragraph));
+  write_types(page);
+  page.section("TABLES AND KEYS");
+  for (const TableWords& table : scene_tables()) write_table(page, table);
+  page.subsection("[[ellipses]]");
+  page.paragraph(roff(about_ellipses()));
+  page.section("EXAMPLE");
+  page.verbatim(man_lines_of(scene));
+  page.section("SEE ALSO");
+  page.paragraph(bold("mesopix-simulate") + "(1),\n" + bold("mesopix-generate") + "(1),\n" +
+                 bold("mesopix-convert") + "(1),\n" + bold("mesopix-calibrate") + "(1),\n" +
+                 bold("mesopix-study") + "(1)");
+  return page.text();
 }
 
 }  // namespace manual

@@ -1,8 +1,8 @@
 #include "apps/manual/reference.hpp"
 
-#include "apps/command/exit_codes.hpp"
+#include "apps/command/command.hpp"
+#include "apps/manual/command_tree.hpp"
 #include "apps/manual/expected_value.hpp"
-#include "apps/manual/help_text.hpp"
 #include "apps/manual/setting_words.hpp"
 
 namespace manual {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "apps/scene/ellipse_list.hpp"
-#include "apps/text/suggestion.hpp"
+#include "apps/text/words.hpp"
 
 namespace manual {
 namespace {

@@ -1,4 +1,3 @@
-#include "apps/manual/completion_words.hpp"
 #include "apps/manual/completions.hpp"
 #include "apps/manual/expected_value.hpp"
 
@@ -6,14 +5,14 @@ namespace manual {
 namespace {
 
 /// Within single quotes.
-std::string quoted(const std::string& text) {
+std::string zsh_quoted(const std::string& text) {
   std::string made = "'";
   for (const char letter : text) made += letter == '\'' ? "'\\''" : std::string(1, letter);
   return made + "'";
 }
 
 /// Without meaning to _arguments and _describe.
-std::string escaped(const std::string& text) {
+std::string zsh_escaped(const std::string& text) {
   std::string made;
   for (const char letter : text)
     made += (std::string("[]:\\").find(letter) == std::string::npos ? "" : "\\") + std::string(1, letter);
@@ -30,7 +29,7 @@ std::string files_action(const ExpectedValue& value) {
 }
 
 /// The third part of a specification for _arguments; a blank = there is nothing to complete.
-std::string action(const ExpectedValue& value, const Command& command) {
+std::string zsh_action(const ExpectedValue& value, const Command& command) {
   if (value.keys) return function_of(command) + "_keys";
   if (value.commands) return "_mesopix_all_commands";
   if (value.files) return files_action(value);
@@ -43,23 +42,23 @@ std::string specification(const Option& option, const std::string& name, const C
       !listed_names(option).empty() && (name.find('.') == std::string::npos || name == option.names[0]);
   const std::string others = option.repeatable ? "" : "(" + spaced(option.names) + ")";
   std::string text = (listed ? "" : "!") + others + (option.repeatable ? "*" : "") + name;
-  if (option.type.empty()) return quoted(text + "[" + escaped(option.help) + "]");
+  if (option.type.empty()) return zsh_quoted(text + "[" + zsh_escaped(option.help) + "]");
   const bool is_long = name[1] == '-';
-  return quoted(text + (is_long ? "=" : "") + "[" + escaped(option.help) + "]:" + escaped(option.type) + ":" +
-                action(expected(option), command));
+  return zsh_quoted(text + (is_long ? "=" : "") + "[" + zsh_escaped(option.help) +
+                    "]:" + zsh_escaped(option.type) + ":" + zsh_action(expected(option), command));
 }
 
 std::string argument_specification(const Argument& argument, const Command& command, bool first) {
-  std::string does = action(expected(argument), command);
+  std::string does = zsh_action(expected(argument), command);
   if (first && !command.below.empty()) does = "{ " + function_of(command) + "_commands; " + does + " }";
   const std::string place = argument.repeatable ? "*" : "";
-  return quoted(place + ":" + argument.name + ":" + does);
+  return zsh_quoted(place + ":" + argument.name + ":" + does);
 }
 
-std::string commands_function(const std::string& name, const std::vector<const Command*>& commands) {
+std::string zsh_commands_function(const std::string& name, const std::vector<const Command*>& commands) {
   std::string text = name + "() {\n  local -a commands=(\n";
   for (const Command* command : commands)
-    text += "    " + quoted(command->words.back() + ":" + escaped(command->description)) + "\n";
+    text += "    " + zsh_quoted(command->words.back() + ":" + zsh_escaped(command->description)) + "\n";
   return text + "  )\n  _describe -t commands command commands\n}\n\n";
 }
 
@@ -82,7 +81,7 @@ std::string command_function(const Command& command) {
   std::string text = keys_function(command);
   std::vector<const Command*> below;
   for (const Command& one : command.below) below.push_back(&one);
-  if (!below.empty()) text += commands_function(function_of(command) + "_commands", below);
+  if (!below.empty()) text += zsh_commands_function(function_of(command) + "_commands", below);
   text += function_of(command) + "() {\n";
   if (!below.empty()) text += hand_on(command);
   text += "  _arguments";
@@ -101,7 +100,7 @@ std::string zsh_completion(const Command& program) {
   std::string text =
       "#compdef mesopix\n# Completion of mesopix for zsh, made from the options of the program.\n\n";
   std::vector<const Command*> all = every_command(program);
-  text += commands_function("_mesopix_all_commands", {all.begin() + 1, all.end()});
+  text += zsh_commands_function("_mesopix_all_commands", {all.begin() + 1, all.end()});
   for (auto command = all.rbegin(); command != all.rend(); ++command) text += command_function(**command);
   return text + "_mesopix \"$@\"\n";
 }

@@ -5,20 +5,17 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "apps/system/hdf5_files.hpp"
-#include "apps/scene/input.hpp"
 #include "apps/job/job.hpp"
-#include "apps/python/failures.hpp"
-#include "apps/python/image.hpp"
-#include "apps/python/json.hpp"
+#include "apps/job/specimen_report.hpp"
+#include "apps/job/specimen_source.hpp"
 #include "apps/python/options.hpp"
 #include "apps/python/views.hpp"
-#include "apps/job/specimen_output.hpp"
-#include "apps/job/specimen_report.hpp"
-#include "specimen/picture/picture_codecs.hpp"
-#include "specimen/picture/preview.hpp"
-#include "specimen/file/specimen_file.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/system/hdf5_files.hpp"
 #include "specimen/describe/statistics.hpp"
+#include "specimen/file/specimen_file.hpp"
+#include "specimen/picture/picture.hpp"
+#include "specimen/picture/picture_codecs.hpp"
 
 namespace binding {
 namespace {
@@ -36,7 +33,7 @@ Body body_of(app::Prepared prepared) {
           std::move(prepared.notes)};
 }
 
-Body make(app::Resolved resolved) {
+Body body_make(app::Resolved resolved) {
   return located(resolved.origins, [&] {
     settle_source(resolved.settings);
     return body_of(unlocked(resolved.settings, [&] { return prepare_specimen(resolved.settings); }));
@@ -45,8 +42,8 @@ Body make(app::Resolved resolved) {
 
 Body generate(const py::object& scene, const py::dict& settings, const py::dict& options) {
   return located({}, [&] {
-    return make(app::resolve_ellipses(scene.is_none() ? "" : path_text(scene),
-                                      assignments(app::offer_of_generate(), settings, options)));
+    return body_make(app::resolve_ellipses(scene.is_none() ? "" : path_text(scene),
+                                           assignments(app::offer_of_generate(), settings, options)));
   });
 }
 
@@ -68,7 +65,7 @@ Body convert_array(const py::object& image, std::vector<app::Assignment> given) 
 Body convert(const py::object& image, const py::dict& settings, const py::dict& options) {
   return located({}, [&] {
     auto given = assignments(app::offer_of_convert(), settings, options);
-    return is_path(image) ? make(app::resolve_picture(path_text(image), std::move(given)))
+    return is_path(image) ? body_make(app::resolve_picture(path_text(image), std::move(given)))
                           : convert_array(image, std::move(given));
   });
 }
@@ -77,7 +74,7 @@ Body read_specimen(const py::object& path) {
   return located({}, [&] { return body_of({app::read_specimen(path_text(path)), {}, {}}); });
 }
 
-std::vector<std::string> write(const Body& body, const py::object& path) {
+std::vector<std::string> body_write(const Body& body, const py::object& path) {
   const app::Origins origins{{"-o", {"-o", {}, {}, "path", ""}}};
   return located(origins, [&] {
     app::check_output(path_text(path), "");
@@ -85,10 +82,10 @@ std::vector<std::string> write(const Body& body, const py::object& path) {
   });
 }
 
-nlohmann::ordered_json figures(const Body& body) { return app::specimen_json(*body.specimen, {}); }
+nlohmann::ordered_json body_figures(const Body& body) { return app::specimen_json(*body.specimen, {}); }
 
-std::string representation(const Body& body) {
-  std::string text = app::specimen_text(figures(body));
+std::string body_representation(const Body& body) {
+  std::string text = app::specimen_text(body_figures(body));
   text.resize(text.find('\n'));
   const std::vector<std::int64_t> counts = specimen::count_labels(body.specimen->mask);
   const std::vector<double> shares = specimen::fractions(body.specimen->mask);
@@ -163,16 +160,16 @@ void bind_specimen(py::module_& module) {
           "notes", [](const Body& body) { return py::tuple(py::cast(body.notes)); },
           "what was guessed when it was made, one sentence each")
       .def_property_readonly(
-          "summary", [](const Body& body) { return as_dict(figures(body)); },
+          "summary", [](const Body& body) { return as_dict(body_figures(body)); },
           "figures as mesopix inspect --json gives them; SI units in the names of the keys")
-      .def("write", &write, py::arg("path"),
+      .def("write", &body_write, py::arg("path"),
            "write(path) -> list of the files\n\nWrite a specimen file (.h5) with a preview picture beside "
            "it, or "
            "the labels as a picture (.png, .tif,\n.bmp, .pgm). Raises Error for another ending, FileError "
            "when "
            "the disk fails.")
       .def("_repr_png_", &png)
-      .def("__repr__", &representation);
+      .def("__repr__", &body_representation);
   module.def("generate", &generate);
   module.def("convert", &convert);
   module.def("read_specimen", &read_specimen);

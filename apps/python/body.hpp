@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene/scene_file.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/scene/scene_file.hpp"
 #include "specimen/body/specimen.hpp"
 
 namespace binding {

@@ -1,4 +1,4 @@
-#include "apps/python/failures.hpp"
+#include "apps/python/options.hpp"
 
 #include <regex>
 

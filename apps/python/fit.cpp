@@ -1,4 +1,4 @@
-#include "apps/python/fit.hpp"
+#include "apps/python/study.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -8,20 +8,15 @@
 #include <optional>
 
 #include "apps/calibrate/calibration_folder.hpp"
-#include "apps/calibrate/calibration_json.hpp"
-#include "apps/calibrate/calibration_wish.hpp"
-#include "apps/calibrate/calibration_words.hpp"
-#include "apps/scene/input.hpp"
-#include "apps/text/text.hpp"
+#include "apps/calibrate/calibration_report.hpp"
 #include "apps/python/body.hpp"
-#include "apps/python/failures.hpp"
-#include "apps/python/json.hpp"
 #include "apps/python/options.hpp"
-#include "apps/python/progress.hpp"
 #include "apps/python/spectator.hpp"
 #include "apps/python/views.hpp"
 #include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/scene/scene_text.hpp"
+#include "apps/text/figures.hpp"
 #include "specimen/file/specimen_file.hpp"
 
 namespace binding {
@@ -53,7 +48,7 @@ app::TargetCurve measured_curve(const py::object& target) {
   return app::parse_target_curve(table, "target");
 }
 
-app::CalibrationWish wish_of(const py::dict& wanted) {
+app::CalibrationWish fit_wish_of(const py::dict& wanted) {
   app::CalibrationWish wish;
   const auto set = [&](const char* name, std::string& text, const char* unit = "") {
     const py::object value = wanted[name];
@@ -83,7 +78,7 @@ app::Calibration search(const app::CalibrationTask& task, Spectator& spectator) 
   });
 }
 
-void conclude(const FitPointer& fit, const Spectator& spectator) {
+void fit_conclude(const FitPointer& fit, const Spectator& spectator) {
   spectator.rethrow();
   const bool nothing = fit->found.history.empty();
   if (spectator.interrupted())
@@ -95,7 +90,7 @@ void conclude(const FitPointer& fit, const Spectator& spectator) {
 
 FitPointer calibrate(const py::object& input, const py::dict& settings, const py::dict& options,
                      const py::dict& wanted, const py::object& progress) {
-  const app::CalibrationWish wish = located({}, [&] { return wish_of(wanted); });
+  const app::CalibrationWish wish = located({}, [&] { return fit_wish_of(wanted); });
   app::Target target = located({}, [&] { return read_target(wish, measured_curve(wanted["target"])); });
   Broken broken = located({}, [&] {
     return broken_of(input, assignments(app::offer_of_calibrate(), settings, options), resolve_path);
@@ -108,7 +103,7 @@ FitPointer calibrate(const py::object& input, const py::dict& settings, const py
     fit->task.emplace(app::make_task(fit->job, std::move(target), wish));
     Spectator spectator(progress);
     fit->found = search(*fit->task, spectator);
-    conclude(fit, spectator);
+    fit_conclude(fit, spectator);
     return fit;
   });
 }
@@ -133,7 +128,7 @@ std::string scene(const Fit& fit) {
   return app::scene_text(in_folder(fit, here).settings, app::Extent::whole, here);
 }
 
-void save(const Fit& fit, const py::object& wanted, bool overwrite) {
+void fit_save(const Fit& fit, const py::object& wanted, bool overwrite) {
   const app::Origins origins{{"-o", {"-o", {}, {}, "folder", ""}}};
   located(origins, [&] {
     const fs::path folder = app::make_run_folder(path_text(wanted), "", overwrite);
@@ -143,7 +138,7 @@ void save(const Fit& fit, const py::object& wanted, bool overwrite) {
   });
 }
 
-py::list curves(const py::object& self) {
+py::list fit_curves(const py::object& self) {
   const py::object type = py::module_::import("mesopix.results").attr("Curve");
   py::list all;
   for (const app::SeedRun& run : self.cast<const Fit&>().found.runs)
@@ -153,7 +148,7 @@ py::list curves(const py::object& self) {
 
 std::string unmet(const Fit& fit) { return why_not_met(*fit.task, fit.found); }
 
-std::string representation(const Fit& fit) {
+std::string fit_representation(const Fit& fit) {
   std::string text = "<mesopix.Calibration to " + target_text(fit.task->target) + ": misfit " +
                      output::trimmed(100 * fit.found.misfit, 3) + " %";
   for (const auto& [key, value] : values(fit))
@@ -177,7 +172,7 @@ void bind_fit(py::module_& module) {
           "of the fitted scene: relative error of a peak, or that of stresses over the peak stress for a "
           "curve [-]")
       .def_property_readonly(
-          "curves", &curves,
+          "curves", &fit_curves,
           "Curve(strain [-], stress [Pa]) of the fitted scene, one a seed; read-only views")
       .def_property_readonly(
           "notes", [](const Fit& fit) { return py::tuple(py::cast(fit.job.notes)); },
@@ -186,10 +181,10 @@ void bind_fit(py::module_& module) {
           "summary", [](const Fit& fit) { return as_dict(calibration_json(*fit.task, fit.found)); },
           "figures, a dict as calibration.json")
       .def_property_readonly("scene", &scene, "the scene with what was fitted, TOML")
-      .def("save", &save, py::arg("folder"), py::arg("overwrite") = false,
+      .def("save", &fit_save, py::arg("folder"), py::arg("overwrite") = false,
            "save(folder, overwrite=False)\n\nWrite scene.toml with what was fitted, calibration.json and "
            "report.html.\nRaises Error for a folder that is not empty, FileError when the disk fails.")
-      .def("__repr__", &representation);
+      .def("__repr__", &fit_representation);
   module.def("calibrate", &calibrate);
 }
 

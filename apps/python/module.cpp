@@ -1,12 +1,10 @@
 #include <pybind11/pybind11.h>
 
-#include "apps/system/hdf5_turn.hpp"
 #include "apps/python/body.hpp"
-#include "apps/python/failures.hpp"
-#include "apps/python/fit.hpp"
 #include "apps/python/options.hpp"
 #include "apps/python/run.hpp"
 #include "apps/python/study.hpp"
+#include "apps/system/hdf5_files.hpp"
 #include "apps/text/version.hpp"
 
 namespace {

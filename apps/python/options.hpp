@@ -1,8 +1,12 @@
+/// JSON as dictionaries and lists of Python.
+/// Exceptions of ours as exceptions of Python.
 /// Settings as Python writes them.
 #pragma once
 
 #include <pybind11/pybind11.h>
-
+#include <exception>
+#include <new>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -10,6 +14,40 @@
 #include "apps/settings/offer.hpp"
 
 namespace binding {
+
+template <class Json>
+[[nodiscard]] pybind11::object as_dict(const Json& json) {
+  return pybind11::module_::import("json").attr("loads")(
+      json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+namespace py = pybind11;
+
+/// Do the work; what it throws is located where the user set what it is about, and becomes app::Rejected.
+/// Exceptions of Python pass, and so does a lack of memory.
+template <class Work>
+auto located(const app::Origins& origins, Work&& work) {
+  try {
+    return work();
+  } catch (const py::error_already_set&) {
+    throw;
+  } catch (const py::builtin_exception&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    throw app::refusal_of(std::current_exception(), app::located_by(origins));
+  }
+}
+
+/// app::Rejected becomes mesopix.FileError (Exit::io), RuntimeError (Exit::internal), or else mesopix.Error.
+void translate_refusals();
+
+/// Raise mesopix.NAME(text, result): Diverged or Interrupted.
+[[noreturn]] void raise_with(const char* name, const std::string& text, const py::object& result);
+
+/// Raise what a refusal becomes, with what was computed as .result.
+[[noreturn]] void raise_with(const app::Rejected& refusal, const py::object& result);
 
 namespace py = pybind11;
 

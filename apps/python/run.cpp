@@ -1,30 +1,182 @@
 #include "apps/python/run.hpp"
 
 #include <pybind11/stl.h>
+#include <optional>
+#include <utility>
 
-#include "apps/report/run_words.hpp"
-#include "apps/text/text.hpp"
 #include "apps/python/body.hpp"
-#include "apps/python/failures.hpp"
-#include "apps/python/json.hpp"
 #include "apps/python/options.hpp"
-#include "apps/python/run_task.hpp"
+#include "apps/python/spectator.hpp"
 #include "apps/python/views.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/run/frame_folder.hpp"
 #include "apps/run/run_folder.hpp"
 #include "apps/run/run_location.hpp"
-#include "apps/run/run_reader.hpp"
+#include "apps/run/solving.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/scene/scene_text.hpp"
-#include "apps/text/strain_text.hpp"
-#include "specimen/body/digest.hpp"
+#include "apps/settings/assignment.hpp"
+#include "apps/system/files.hpp"
+#include "apps/text/figures.hpp"
+#include "specimen/body/files.hpp"
 
 namespace binding {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// One call of simulate.
+class Task {
+ public:
+  Task(Broken broken, const Wanted& wanted)
+      : wanted_(wanted), broken_(std::move(broken)), spectator_(wanted.progress) {}
+
+  std::shared_ptr<Run> carry_out() {
+    const std::optional<double> tolerance = read_tolerance();
+    run_->is_given = broken_.given.has_value();
+    run_->job = app::make_job(broken_.resolved.settings, broken_.cells());
+    check(tolerance);
+    std::optional<app::FreshFolder> folder;
+    std::optional<app::HeldFolder> held;
+    if (!wanted_.output.is_none()) {
+      folder.emplace(app::make_run_folder(path_text(wanted_.output), broken_.stem, wanted_.overwrite));
+      held.emplace(folder->path());
+    }
+    if (tolerance) meet(*tolerance);
+    std::optional<app::FrameFolder> frames;
+    if (folder) frames.emplace(folder->path(), run_->job.scene);
+    solve(frames ? &*frames : nullptr);
+    if (folder) keep(folder->path(), *frames);
+    conclude();
+    return run_;
+  }
+
+ private:
+  std::optional<double> read_tolerance() const {
+    if (wanted_.tolerance.is_none()) return std::nullopt;
+    return app::read_option("--tolerance", option_text(wanted_.tolerance),
+                            app::Quantity{app::Dimension::ratio, app::inside(0, 1), {}});
+  }
+
+  void check(const std::optional<double>& tolerance) const {
+    const mpm::Scene& scene = run_->job.scene;
+    const char* estimate = tolerance ? "tolerance" : wanted_.estimate_error ? "estimate_error" : nullptr;
+    if (tolerance && wanted_.estimate_error)
+      throw app::Rejected(app::Exit::usage, app::complaint("tolerance", "given with estimate_error", "",
+                                                           "give one of the two"));
+    if (estimate != nullptr && !output::has_platens(scene))
+      throw app::Rejected(app::Exit::usage, app::complaint(estimate, "there are no platens",
+                                                           "needs a test in tension or compression"));
+    if (scene.frames > 0 && wanted_.output.is_none())
+      throw app::Rejected(app::Exit::usage, app::complaint("output.frames", std::to_string(scene.frames),
+                                                           "are written into a folder while the run goes on",
+                                                           "give that folder as output, or 0 frames"));
+  }
+
+  /// Runs that nothing is told of but Ctrl-C.
+  app::Solve second_run() {
+    return [this](const mpm::Scene& scene) {
+      const py::gil_scoped_release unlock;
+      return app::end_of_second_run(
+          app::solve(scene, {.observer = [this](const mpm::Progress&) { return spectator_.go_on(); }}));
+    };
+  }
+
+  void meet(double tolerance) {
+    try {
+      const app::Tolerated found = app::meet_tolerance(run_->job.scene, tolerance, second_run());
+      app::adopt(found, tolerance, run_->job);
+      run_->estimate = found.estimate;
+    } catch (const app::NoEstimate& failed) {
+      spectator_.rethrow();
+      if (spectator_.interrupted()) raise_with("Interrupted", "interrupted", py::none());
+      throw app::Rejected(app::Exit::data,
+                          app::complaint("tolerance", "not met, " + failed.why, "", "nothing was written"));
+    }
+  }
+
+  app::Outcome solve_unlocked(app::FrameFolder* frames) {
+    mpm::RunHooks hooks;
+    hooks.observer = [this](const mpm::Progress& progress) {
+      return spectator_.look([&] { return glance_at(progress); });
+    };
+    if (frames != nullptr)
+      hooks.frames = [frames](const mpm::Frame& frame) {
+        const py::gil_scoped_acquire lock;  // HDF5 is not safe everywhere
+        (void)frames->add(frame);
+      };
+    const py::gil_scoped_release unlock;
+    return app::solve(run_->job.scene, hooks);
+  }
+
+  void solve(app::FrameFolder* frames) {
+    app::Outcome outcome = solve_unlocked(frames);
+    spectator_.rethrow();
+    for (const app::Remark& remark : remarks_on(outcome, run_->job.scene))
+      run_->job.notes.push_back(remark.text);
+    if (wanted_.estimate_error) run_->estimate = app::estimate_of(outcome, run_->job, second_run());
+    divergence_ = std::move(outcome.divergence);
+    run_->result = std::move(outcome.result);
+  }
+
+  /// Write the folder; what the disk did not take is no reason to lose the result.
+  void keep(const fs::path& folder, const app::FrameFolder& frames) {
+    try {
+      write_folder(folder, *run_);
+      if (const auto failure = frames.failure()) throw mpm::FileError(*failure);
+    } catch (const mpm::FileError&) {
+      lost_ = app::refusal_of(std::current_exception());
+    }
+  }
+
+  /// Raise what has gone wrong, now that all is kept.
+  void conclude() const {
+    spectator_.rethrow();
+    if (spectator_.interrupted())
+      raise_with("Interrupted", "interrupted; what was computed is in .result", py::cast(run_));
+    if (lost_) raise_with(*lost_, py::cast(run_));
+    if (!divergence_.empty()) raise_with("Diverged", divergence_, py::cast(run_));
+  }
+
+  const Wanted& wanted_;
+  Broken broken_;
+  Spectator spectator_;
+  std::shared_ptr<Run> run_ = std::make_shared<Run>();
+  std::string divergence_;
+  std::optional<app::Rejected> lost_;  ///< files of the folder
+};
+
+app::Origins with_output(app::Origins origins) {
+  origins["-o"] = {"-o", {}, {}, "output", ""};
+  return origins;
+}
+
+}  // namespace
+
+std::shared_ptr<Run> simulate(const py::object& input, const Wanted& wanted) {
+  Broken broken = located({}, [&] {
+    return broken_of(input, assignments(app::offer_of_simulate(), wanted.settings, wanted.options),
+                     [](const std::string& given, std::vector<app::Assignment> options) {
+                       return app::resolve_input("INPUT", given, std::move(options));
+                     });
+  });
+  const app::Origins origins = with_output(broken.resolved.origins);
+  return located(origins, [&] { return Task(std::move(broken), wanted).carry_out(); });
+}
+
+void write_folder(const fs::path& folder, const Run& run) {
+  const std::string toml = run.scene_toml(folder);
+  write_run(folder, {run.job.specimen, run.job.scene, run.result, toml, specimen::sha256_of_text(toml),
+                     run.job.settings.title, run.job.notes, run.estimate});
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
 const Run& run_of(const py::object& self) { return self.cast<const Run&>(); }
 
-py::object figures(const Run& run) {
+py::object run_figures(const Run& run) {
   const std::string toml = run.scene_toml(fs::current_path());
   return as_dict(summary({run.job.specimen, run.job.scene, run.result, toml, specimen::sha256_of_text(toml),
                           run.job.settings.title, run.job.notes, run.estimate}));
@@ -36,7 +188,7 @@ py::object curve(const py::object& self) {
 }
 
 /// The specimen stays with its run, which the pointer keeps.
-Body body_of(const std::shared_ptr<Run>& run) {
+Body specimen_of_run(const std::shared_ptr<Run>& run) {
   return {std::shared_ptr<const specimen::Specimen>(run, &run->job.specimen), {}};
 }
 
@@ -50,12 +202,12 @@ std::shared_ptr<Run> read_result(const py::object& folder) {
   });
 }
 
-void save(const Run& run, const py::object& folder, bool overwrite) {
+void run_save(const Run& run, const py::object& folder, bool overwrite) {
   const app::Origins origins{{"-o", {"-o", {}, {}, "folder", ""}}};
-  located(origins, [&] { write(app::make_run_folder(path_text(folder), "", overwrite), run); });
+  located(origins, [&] { write_folder(app::make_run_folder(path_text(folder), "", overwrite), run); });
 }
 
-std::string representation(const Run& run) {
+std::string run_representation(const Run& run) {
   const mpm::Result& result = run.result;
   return "<mesopix.Result: peak " + output::trimmed(1e-6 * result.peak_stress, 4) + " MPa at strain " +
          app::strain_text(result.peak_strain) + "; " + std::to_string(result.tension_failures) +
@@ -110,11 +262,12 @@ void bind_figures(py::class_<Run, std::shared_ptr<Run>>& type) {
       .def_property_readonly(
           "notes", [](const Run& run) { return py::tuple(py::cast(run.job.notes)); },
           "what was guessed or went otherwise, one sentence each")
-      .def_property_readonly("summary", &figures, "figures, a dict as summary.json of a run folder")
+      .def_property_readonly("summary", &run_figures, "figures, a dict as summary.json of a run folder")
       .def_property_readonly(
           "scene", [](const Run& run) { return run.scene_toml(fs::current_path()); },
           "the resolved scene, every default written out, TOML")
-      .def_property_readonly("specimen", &body_of, "Specimen that was broken, in whole cells of the grid");
+      .def_property_readonly("specimen", &specimen_of_run,
+                             "Specimen that was broken, in whole cells of the grid");
 }
 
 std::shared_ptr<Run> simulate_call(const py::object& input, const py::dict& settings, const py::dict& options,
@@ -137,13 +290,13 @@ void bind_run(py::module_& module) {
       module, "Result", "What a run leaves behind. Its arrays are read-only views, and keep it alive.");
   bind_arrays(type);
   bind_figures(type);
-  type.def("save", &save, py::arg("folder"), py::arg("overwrite") = false,
+  type.def("save", &run_save, py::arg("folder"), py::arg("overwrite") = false,
            "save(folder, overwrite=False)\n\nWrite the run folder that mesopix simulate writes: tables, "
            "pictures, "
            "report.html, the scene and the specimen.\nRaises Error for a folder that is not empty, FileError "
            "with "
            "the files that are missing when the disk fails.")
-      .def("__repr__", &representation);
+      .def("__repr__", &run_representation);
   module.def("simulate", &simulate_call);
   module.def("read_result", &read_result);
 }

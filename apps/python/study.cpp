@@ -7,17 +7,14 @@
 #include <optional>
 #include <sstream>
 
-#include "apps/system/job_pool.hpp"
-#include "apps/python/failures.hpp"
 #include "apps/python/options.hpp"
-#include "apps/python/progress.hpp"
 #include "apps/python/spectator.hpp"
-#include "apps/python/study_wish.hpp"
 #include "apps/python/views.hpp"
-#include "apps/settings/read_option.hpp"
-#include "apps/study/study_closing.hpp"
-#include "apps/study/study_table.hpp"
-#include "apps/study/study_whole.hpp"
+#include "apps/settings/assignment.hpp"
+#include "apps/study/study_growth.hpp"
+#include "apps/study/study_outcome.hpp"
+#include "apps/study/study_results.hpp"
+#include "apps/system/job_pool.hpp"
 
 namespace binding {
 namespace {
@@ -69,7 +66,7 @@ void close(const Breakings& breakings) {
                    console);
 }
 
-void conclude(const BreakingsPointer& breakings, const Wanted& wanted, const Spectator& spectator) {
+void study_conclude(const BreakingsPointer& breakings, const Wanted& wanted, const Spectator& spectator) {
   spectator.rethrow();
   const app::StudyTally& tally = breakings->whole.tally;
   if (spectator.interrupted())
@@ -116,7 +113,7 @@ BreakingsPointer study(const py::object& input, const py::dict& settings, const 
     if (!ended) whole.results = read_results(folder, whole.members);
     if (ended) close(*breakings);
     breakings->table = study_table(whole.study, whole.members, *whole.results);
-    conclude(breakings, wanted, spectator);
+    study_conclude(breakings, wanted, spectator);
     return breakings;
   });
 }
@@ -146,7 +143,7 @@ py::dict units(const Breakings& breakings) {
   return units;
 }
 
-py::list curves(const py::object& self) {
+py::list study_curves(const py::object& self) {
   const py::object type = py::module_::import("mesopix.results").attr("Curve");
   py::list all;
   for (const app::Curve& curve : breakings_of(self).whole.results->curves)
@@ -162,7 +159,7 @@ py::dict failures(const Breakings& breakings) {
   return reasons;
 }
 
-std::string representation(const Breakings& breakings) {
+std::string study_representation(const Breakings& breakings) {
   const app::StudyResults& results = *breakings.whole.results;
   std::string text = fmt::format("<mesopix.Study: {} of {} members done",
                                  results.count(app::MemberState::done), results.outcomes.size());
@@ -182,7 +179,7 @@ void bind_study(py::module_& module) {
           "pandas.DataFrame(study.table) takes it")
       .def_property_readonly("units", &units, "{column: SI unit}; \"1\" for none")
       .def_property_readonly(
-          "curves", &curves,
+          "curves", &study_curves,
           "Curve(strain [-], stress [Pa]) of each member, some 200 points; None of one that is not done")
       .def_property_readonly(
           "crack_counts",
@@ -201,7 +198,7 @@ void bind_study(py::module_& module) {
           "folder", [](const Breakings& breakings) { return breakings.folder.path().string(); },
           "that holds the members, the tables and report.html")
       .def("__len__", [](const Breakings& breakings) { return breakings.whole.members.size(); })
-      .def("__repr__", &representation);
+      .def("__repr__", &study_representation);
   module.def("study", &study);
 }
 

@@ -1,20 +1,18 @@
-#include "apps/python/study_wish.hpp"
+#include "apps/python/study.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "apps/command/command.hpp"
-#include "apps/scene/input.hpp"
 #include "apps/python/body.hpp"
-#include "apps/python/failures.hpp"
 #include "apps/python/options.hpp"
 #include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/study/study_file.hpp"
 #include "apps/study/study_values.hpp"
-#include "apps/system/text_file.hpp"
-#include "specimen/body/digest.hpp"
+#include "apps/system/files.hpp"
+#include "specimen/body/files.hpp"
 #include "specimen/file/specimen_file.hpp"
 
 namespace binding {

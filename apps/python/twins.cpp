@@ -4,18 +4,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "apps/scene/input.hpp"
 #include "apps/python/body.hpp"
-#include "apps/python/failures.hpp"
-#include "apps/python/json.hpp"
 #include "apps/python/options.hpp"
-#include "apps/python/progress.hpp"
 #include "apps/python/spectator.hpp"
 #include "apps/python/study.hpp"
 #include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/twin/twin_folder.hpp"
-#include "apps/twin/twin_wish.hpp"
 #include "apps/twin/twin_words.hpp"
+#include "apps/twin/twinning.hpp"
 #include "specimen/file/specimen_file.hpp"
 
 namespace binding {
@@ -33,7 +30,7 @@ struct Family {
 
 using FamilyPointer = std::shared_ptr<Family>;
 
-app::TwinWish wish_of(const py::dict& wanted) {
+app::TwinWish twins_wish_of(const py::dict& wanted) {
   app::TwinWish wish;
   const auto set = [&](const char* name, std::string& text, const char* unit = "") {
     const py::object value = wanted[name];
@@ -63,7 +60,8 @@ app::TwinTask task_of(const py::object& input, const Broken& broken, const app::
                              broken.resolved.settings, itz, std::move(original.specimen));
 }
 
-std::vector<app::TwinRecord> make(const app::TwinTask& task, const fs::path& folder, Spectator& spectator) {
+std::vector<app::TwinRecord> twins_make(const app::TwinTask& task, const fs::path& folder,
+                                        Spectator& spectator) {
   return work_apart(spectator, [&](Overseer& overseer) {
     return app::make_twins(
         task, folder, [&] { return !overseer.goes_on(); },
@@ -75,7 +73,7 @@ FamilyPointer twin(const py::object& input, const py::dict& settings, const py::
                    const py::dict& wanted, const py::object& output, bool overwrite,
                    const py::object& progress) {
   const app::TwinWish wish = located({}, [&] {
-    app::TwinWish read = wish_of(wanted);
+    app::TwinWish read = twins_wish_of(wanted);
     (void)twin_options(read);
     return read;
   });
@@ -89,7 +87,7 @@ FamilyPointer twin(const py::object& input, const py::dict& settings, const py::
     const app::TwinTask task = task_of(input, broken, wish, notes);
     const app::FreshFolder folder(app::make_run_folder(path_text(output), "", overwrite));
     Spectator spectator(progress);
-    const std::vector<app::TwinRecord> twins = make(task, folder.path(), spectator);
+    const std::vector<app::TwinRecord> twins = twins_make(task, folder.path(), spectator);
     FamilyPointer family;
     if (!twins.empty()) {
       family = std::make_shared<Family>(Family{folder.path(),

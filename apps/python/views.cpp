@@ -1,11 +1,80 @@
 #include "apps/python/views.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <string>
+#include <string_view>
 #include <variant>
 
-#include "libmpm/scene/history_columns.hpp"
+#include "apps/text/complaint.hpp"
+#include "libmpm/scene/result.hpp"
+#include "specimen/body/files.hpp"
 
 namespace binding {
+namespace {
+
+namespace py = pybind11;
+
+[[noreturn]] void refuse(const std::string& value, const char* allowed, const char* cure = "") {
+  throw app::Rejected(app::Exit::data, app::complaint("image", value, allowed, cure));
+}
+
+std::string shape_text(const py::array& image) {
+  return fmt::format("{} of shape {}", py::str(image.dtype()).cast<std::string>(),
+                     py::str(image.attr("shape")).cast<std::string>());
+}
+
+template <class T>
+specimen::Raster<T> raster_of(const void* values, py::ssize_t rows, py::ssize_t cols) {
+  specimen::Raster<T> raster(static_cast<int>(rows), static_cast<int>(cols));
+  std::memcpy(raster.data.data(), values, raster.size() * sizeof(T));
+  return raster;
+}
+
+bool is_plain_number(const py::array& image) {
+  return std::string_view("buif").find(image.dtype().kind()) != std::string_view::npos;
+}
+
+}  // namespace
+
+specimen::Picture picture_of(const py::object& object) {
+  static_assert(sizeof(specimen::Rgb) == 3);
+  const py::array image = py::array::ensure(object);
+  if (!image) throw py::error_already_set();
+  const bool colour =
+      image.ndim() == 3 && image.shape(2) == 3 && py::isinstance<py::array_t<std::uint8_t>>(image);
+  if (!is_plain_number(image) || (image.ndim() != 2 && !colour))
+    refuse(shape_text(image),
+           "must be labels or grey of shape (rows, columns), or uint8 of shape (rows, columns, 3)",
+           image.ndim() == 3 && image.shape(2) == 4 ? "image[..., :3] leaves the transparency out" : "");
+  if (image.size() == 0 || image.size() > 600'000'000)
+    refuse(shape_text(image), "must have between 1 and 200 million pixels");
+  specimen::Picture picture;
+  if (colour) {
+    const auto values = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>(image);
+    picture.colour = raster_of<specimen::Rgb>(values.data(), image.shape(0), image.shape(1));
+    return picture;
+  }
+  const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>(image);
+  picture.gray = raster_of<double>(values.data(), image.shape(0), image.shape(1));
+  picture.bits = static_cast<int>(8 * image.itemsize());
+  const auto& gray = picture.gray.data;
+  if (!std::all_of(gray.begin(), gray.end(), [](double value) { return std::isfinite(value); }))
+    refuse("a value that is not finite", "must be numbers throughout",
+           "numpy.nan_to_num puts others in their place");
+  return picture;
+}
+
+std::string digest_of(const specimen::Picture& picture) {
+  const auto bytes = [](const auto& raster) {
+    return std::string_view(reinterpret_cast<const char*>(raster.data.data()),
+                            raster.size() * sizeof(raster.data.front()));
+  };
+  return specimen::sha256_of_text(picture.gray.empty() ? bytes(picture.colour) : bytes(picture.gray));
+}
+
 namespace {
 
 /// Where a member lies in a row.

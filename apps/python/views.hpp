@@ -1,15 +1,24 @@
+/// Pictures that are arrays.
 /// NumPy arrays that show memory of C++, without a copy.
 #pragma once
 
 #include <pybind11/numpy.h>
-
 #include <vector>
 
-#include "libmpm/scene/lattice.hpp"
+#include "libmpm/scene/phase.hpp"
 #include "libmpm/scene/result.hpp"
 #include "specimen/body/raster.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace binding {
+
+/// @param image  labels or grey of shape (rows, cols), or RGB of shape (rows, cols, 3) and 8 bits; row 0 on
+/// top.
+/// @throws app::Rejected for another shape or type, and for values that are not finite.
+[[nodiscard]] specimen::Picture picture_of(const pybind11::object& image);
+
+/// SHA-256 of its pixels.
+[[nodiscard]] std::string digest_of(const specimen::Picture& picture);
 
 namespace py = pybind11;
 

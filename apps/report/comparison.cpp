@@ -7,11 +7,12 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "apps/report/chart_json.hpp"
+#include "apps/drawing/ticks.hpp"
 #include "apps/report/key_figures.hpp"
+#include "apps/report/report_data.hpp"
 #include "apps/report/report_parts.hpp"
-#include "apps/drawing/strain_unit.hpp"
-#include "apps/text/text.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/version.hpp"
 
 namespace output {
 namespace {
@@ -114,7 +115,7 @@ std::string comparison_html(const Runs& runs, const std::vector<ComparedSetting>
                                        {"charts", {{"stress", chart_json(chart)}}},
                                        {"film", nullptr}};
   return live_page(title,
-                   heading(title, "mesopix " + version()) +
+                   heading(title, std::string("mesopix ") + app::version()) +
                        section("Stress and strain", chart_figure("stress", chart, 900, 480, caption)) +
                        section("Key figures", figure_table(runs, unit)) +
                        section("What sets the scenes apart", setting_table(runs, settings)),

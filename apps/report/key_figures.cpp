@@ -1,12 +1,84 @@
 #include "apps/report/key_figures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "apps/drawing/damage_stages.hpp"
+#include "apps/drawing/damage_picture.hpp"
+#include "apps/text/figures.hpp"
+#include "libmpm/scene/result.hpp"
 #include "specimen/describe/statistics.hpp"
 
 namespace output {
+namespace {
+
+std::string cell(double value) { return exact(value); }
+std::string cell(std::int64_t value) { return std::to_string(value); }
+
+std::string header_of(const mpm::HistoryColumn& column) { return column_title(column.name, column.unit); }
+
+/// One line of the table; text_of gives the cell of a column.
+template <class TextOf>
+std::string line(TextOf text_of) {
+  std::string text;
+  for (const mpm::HistoryColumn& column : mpm::history_columns()) {
+    if (!text.empty()) text += ',';
+    text += text_of(column);
+  }
+  return text + '\n';
+}
+
+}  // namespace
+
+std::string column_title(std::string_view name, std::string_view unit) {
+  std::string title(name);
+  if (unit == "1") return title;
+  title += '_';
+  for (const char c : unit) title += c == '/' ? std::string("_per_") : std::string(1, c);
+  return title;
+}
+
+std::string curve_csv(const std::vector<mpm::HistoryRow>& history) {
+  std::string csv = line(header_of);
+  for (const mpm::HistoryRow& row : history)
+    csv += line([&](const mpm::HistoryColumn& column) {
+      return std::visit([&](auto member) { return cell(row.*member); }, column.member);
+    });
+  return csv;
+}
+
+namespace {
+
+void count_pixel(FailureCount& count, const mpm::Result& result, Eigen::Index pixel) {
+  ++count.points;
+  if (result.failure_mode.size() == 0) return;
+  const auto mode = static_cast<mpm::FailureMode>(result.failure_mode.data()[pixel]);
+  count.tension += mode == mpm::FailureMode::tension;
+  count.shear += mode == mpm::FailureMode::shear;
+  count.crushed += result.crush_strain.size() > 0 && !std::isnan(result.crush_strain.data()[pixel]);
+}
+
+}  // namespace
+
+std::vector<FailureCount> failures_by_phase(const RunRecord& record) {
+  const specimen::LabelledMask& mask = record.specimen.mask;
+  std::vector<FailureCount> counts;
+  for (const std::string& phase : mask.phases) counts.push_back({phase});
+  for (std::size_t i = 0; i < mask.labels.size(); ++i)
+    count_pixel(counts.at(mask.labels.data[i]), record.result, static_cast<Eigen::Index>(i));
+  std::erase_if(counts, [](const FailureCount& count) { return count.points == 0; });
+  return counts;
+}
+
+FailureCount failures_of_extra_points(const RunRecord& record, const std::vector<FailureCount>& by_phase) {
+  FailureCount extra{"extra points", static_cast<std::int64_t>(record.scene.extra_points.size()),
+                     record.result.tension_failures, record.result.shear_failures, 0};
+  for (const FailureCount& count : by_phase) {
+    extra.tension -= count.tension;
+    extra.shear -= count.shear + count.crushed;
+  }
+  return extra;
+}
 
 double secant_modulus(const mpm::Result& result) {
   const auto reached = [&](const mpm::HistoryRow& row) {
@@ -30,7 +102,5 @@ std::vector<std::string> all_notes(const RunRecord& record) {
   if (!missing.empty()) notes.push_back(missing);
   return notes;
 }
-
-std::string version() { return MESOPIX_VERSION; }
 
 }  // namespace output

@@ -1,13 +1,42 @@
+/// curve.csv: the history as a table.
+/// Which phases failed, and how.
 /// Figures that follow from a result and its scene.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "apps/run/run_folder.hpp"
+#include "apps/report/run_record.hpp"
+#include "libmpm/scene/result.hpp"
 
 namespace output {
+
+/// "stress_Pa", "work_J_per_m"; the name alone where the unit is "1".
+[[nodiscard]] std::string column_title(std::string_view name, std::string_view unit);
+
+/// All columns of the history, comma separated, one header line with the SI unit in each name (strain,
+/// stress_Pa, platen_work_J_per_m ...). Numbers read back as the same doubles, in any locale.
+[[nodiscard]] std::string curve_csv(const std::vector<mpm::HistoryRow>& history);
+
+struct FailureCount {
+  std::string phase;
+  std::int64_t points = 0;   ///< pixels of the phase, or extra points
+  std::int64_t tension = 0;  ///< first failed in tension
+  std::int64_t shear = 0;    ///< first failed in shear
+  std::int64_t crushed = 0;  ///< failed in tension, then crushed in shear (crack closure only)
+  [[nodiscard]] std::int64_t intact() const { return points - tension - shear; }
+};
+
+/// One row per phase that the mask holds, in the order of labels, voids included.
+[[nodiscard]] std::vector<FailureCount> failures_by_phase(const RunRecord& record);
+
+/// Extra points, which no pixel shows: what the totals of the result leave over. Crushed ones are among the
+/// shear failures.
+[[nodiscard]] FailureCount failures_of_extra_points(const RunRecord& record,
+                                                    const std::vector<FailureCount>& by_phase);
 
 /// Stress over strain where the stress first reaches 40 % of its peak [Pa]; NaN without a peak.
 [[nodiscard]] double secant_modulus(const mpm::Result& result);
@@ -17,8 +46,5 @@ namespace output {
 
 /// Notes of the record, and the one about damage pictures that are missing.
 [[nodiscard]] std::vector<std::string> all_notes(const RunRecord& record);
-
-/// Version of mesopix.
-[[nodiscard]] std::string version();
 
 }  // namespace output

@@ -1,6 +1,12 @@
 /// The curves of the design codes, normalised: stress over strength [-] against x = strain over the strain at
 /// the peak [-], for a strength [Pa] of positive sign.
+/// What design codes would draw for a run, to lay over its curve.
 #pragma once
+
+#include <vector>
+
+#include "apps/drawing/chart.hpp"
+#include "apps/report/run_record.hpp"
 
 namespace output {
 
@@ -28,5 +34,10 @@ namespace output {
 /// Fracture energy [N/m] of a concrete of a mean compressive strength [Pa].   Source: fib Model Code
 /// 2010, 5.1-9.
 [[nodiscard]] double fib_fracture_energy(double compressive_strength);
+
+/// Curves of a concrete with the peak stress of the run, in the units of stress_chart: GB 50010, and EN
+/// 1992-1-1 under compression; in tension the softening of Hordijk, smeared over the height of the specimen,
+/// with the fracture energy of the fib Model Code 2010. Empty for runs without platens or without a peak.
+[[nodiscard]] std::vector<Series> reference_series(const RunRecord& record);
 
 }  // namespace output

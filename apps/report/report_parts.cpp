@@ -4,14 +4,11 @@
 
 #include <algorithm>
 
-#include "apps/drawing/chart_layout.hpp"
-#include "apps/drawing/drawing_svg.hpp"
-#include "apps/text/html.hpp"
-#include "apps/report/page_files.hpp"
-#include "apps/drawing/picture_scale.hpp"
-#include "apps/drawing/png.hpp"
-#include "apps/report/report_style.hpp"
-#include "specimen/body/digest.hpp"
+#include "apps/drawing/chart.hpp"
+#include "apps/drawing/drawing_files.hpp"
+#include "apps/drawing/picture_parts.hpp"
+#include "apps/text/markup.hpp"
+#include "specimen/body/files.hpp"
 
 namespace output {
 namespace {

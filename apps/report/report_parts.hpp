@@ -1,7 +1,10 @@
 /// The bricks of the report. Arguments named `html` are HTML already, all others are plain text and escaped.
+/// How the report looks.
+/// What makes the report page move, as text. It is kept as files in apps/report/page.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/drawing/chart.hpp"
@@ -69,5 +72,14 @@ struct Fact {
 
 /// Text in a fixed-width face that is folded away at first.
 [[nodiscard]] std::string folded(const std::string& heading, const std::string& text);
+
+/// Style sheet: light and dark by the reader's setting, phones, print.
+[[nodiscard]] std::string report_style();
+
+[[nodiscard]] std::string_view chart_style();        ///< CSS of uPlot
+[[nodiscard]] std::string_view chart_library();      ///< uPlot: defines uPlot
+[[nodiscard]] std::string_view animation_library();  ///< gifenc, a CommonJS module: fills `exports`
+[[nodiscard]] std::string_view report_script();      ///< ours, which needs both
+[[nodiscard]] std::string_view watching_script();    ///< follows it on the page of a run that goes on
 
 }  // namespace output

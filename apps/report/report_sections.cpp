@@ -3,18 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include "apps/text/words.hpp"
 
-#include "apps/report/failure_table.hpp"
-#include "apps/text/html.hpp"
+#include "apps/drawing/ticks.hpp"
 #include "apps/report/key_figures.hpp"
-#include "apps/report/load_words.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_charts.hpp"
 #include "apps/report/run_words.hpp"
-#include "apps/report/specimen_charts.hpp"
-#include "apps/drawing/strain_unit.hpp"
-#include "apps/text/text.hpp"
-#include "specimen/picture/preview.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/version.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace output {
 namespace {
@@ -151,7 +150,7 @@ std::vector<Fact> provenance_facts(const RunRecord& record) {
   const specimen::Provenance& provenance = record.specimen.provenance;
   std::vector<Fact> facts;
   if (!record.goes_on) facts.push_back({"Ended because", phrase_of(record.result.stop)});
-  facts.insert(facts.end(), {{"Program", "mesopix " + version()},
+  facts.insert(facts.end(), {{"Program", std::string("mesopix ") + app::version()},
                              {"Kinematics", name_of_kinematics(record.scene)},
                              {"Arithmetic", word_of(record.scene.precision) + " precision, " +
                                                 record.result.instruction_set},
@@ -256,7 +255,7 @@ std::string citation_section(const RunRecord& record) {
           "<p>The model is that of</p>\n"
           "<blockquote>Liu, Zou, Hu, Liu, Cong and Zhang: Numerical Simulation of Mesodamage Behavior of "
           "Concrete Based on Material Point Method. Advances in Civil Engineering (2020).</blockquote>\n",
-          escape(version()), escape(record.scene_hash.substr(0, 12))));
+          escape(app::version()), escape(record.scene_hash.substr(0, 12))));
 }
 
 }  // namespace output

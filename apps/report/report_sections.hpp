@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "apps/run/run_folder.hpp"
+#include "apps/report/run_record.hpp"
 
 namespace output {
 

@@ -1,8 +1,8 @@
-#include "apps/report/report_style.hpp"
+#include "apps/report/report_parts.hpp"
 
 #include <fmt/format.h>
 
-#include "apps/drawing/ink.hpp"
+#include "apps/drawing/colours.hpp"
 
 namespace output {
 namespace {

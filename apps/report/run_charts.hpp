@@ -1,8 +1,12 @@
 /// The charts of a run.
+/// The charts of a specimen.
 #pragma once
 
+#include <vector>
+
 #include "apps/drawing/chart.hpp"
-#include "apps/run/run_folder.hpp"
+#include "apps/report/run_record.hpp"
+#include "specimen/body/specimen.hpp"
 
 namespace output {
 
@@ -17,5 +21,12 @@ namespace output {
 
 /// How many pixels failed at which strain, by mode, in sixty classes up to the end of the run.
 [[nodiscard]] Chart failure_strain_chart(const RunRecord& record);
+
+/// Sieve curve of the aggregates by area [%] against diameter [mm]; without series when there are none.
+[[nodiscard]] Chart sieve_chart(const specimen::Specimen& specimen);
+
+/// The sieve curves of DIN 1045-2 and of Fuller between the sizes of the specimen, and Fuller's in a plane
+/// cut after Walraven.
+[[nodiscard]] std::vector<Series> sieve_references(const specimen::Specimen& specimen);
 
 }  // namespace output

@@ -1,5 +1,13 @@
 #include "apps/report/run_words.hpp"
 
+#include <fmt/format.h>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "apps/text/figures.hpp"
+
 namespace output {
 
 std::string word_of(mpm::Direction direction) {
@@ -76,11 +84,93 @@ std::string phrase_of(mpm::StopReason reason) {
   return {};
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+namespace {
+
+bool is_wall(mpm::Edge edge) { return edge == mpm::Edge::smooth_wall || edge == mpm::Edge::rough_wall; }
+
+/// "smooth wall at the bottom", for each wall of a flight.
+std::vector<std::string> walls(const mpm::Motion& motion) {
+  const std::array<std::pair<mpm::Edge, const char*>, 4> edges{{{motion.bottom, "at the bottom"},
+                                                                {motion.top, "at the top"},
+                                                                {motion.left, "at the left"},
+                                                                {motion.right, "at the right"}}};
+  std::vector<std::string> found;
+  for (const auto& [edge, place] : edges)
+    if (is_wall(edge))
+      found.push_back(fmt::format("{} wall {}", edge == mpm::Edge::smooth_wall ? "smooth" : "rough", place));
+  return found;
+}
+
+std::string transfer_name(const mpm::Motion& motion) {
+  if (motion.transfer == mpm::Transfer::apic) return "APIC";
+  if (motion.flip_ratio == 1) return "FLIP";
+  return motion.flip_ratio == 0 ? "PIC" : fmt::format("{} FLIP", percent(motion.flip_ratio));
+}
+
+}  // namespace
+
+bool has_platens(const mpm::Scene& scene) { return scene.loading.direction != mpm::Direction::none; }
+
+std::string name_of_loading(const mpm::Scene& scene) {
+  if (has_platens(scene)) return word_of(scene.loading.direction);
+  return walls(scene.motion).empty() ? "flight" : "impact";
+}
+
+std::string setting_of_loading(const mpm::Scene& scene) {
+  const mpm::Loading& loading = scene.loading;
+  if (has_platens(scene))
+    return fmt::format("{} at {} m/s, {} platens{}", name_of_loading(scene), trimmed(loading.velocity),
+                       word_of(loading.platen),
+                       loading.separation ? " from which the specimen may part" : "");
+  std::string text = fmt::format("{} at {} m/s", name_of_loading(scene),
+                                 trimmed(std::hypot(loading.initial_velocity_x, loading.initial_velocity_y)));
+  for (const std::string& wall : walls(scene.motion)) text += ", " + wall;
   return text;
 }
 
-std::string phase_word(const std::string& phase) { return phase == "itz" ? "ITZ" : phase; }
+std::string name_of_strain(const mpm::Scene& scene) {
+  return has_platens(scene) ? "platen strain" : "nominal strain";
+}
+
+std::string name_of_stress(const mpm::Scene& scene) {
+  return has_platens(scene) ? "stress" : "stress on the walls";
+}
+
+std::string meaning_of_curve(const mpm::Scene& scene) {
+  if (has_platens(scene))
+    return "Stress is the mean of the reactions of both platens over the width; strain is the displacement "
+           "of the platens over the height. The secant modulus is that where the stress first reaches 40 % "
+           "of its peak.";
+  return "There are no platens. Stress is nominal: the reaction of the lower edge, and of the upper one "
+         "where "
+         "it is a wall, over the width. So is strain: the way that the specimen would have flown freely over "
+         "its height.";
+}
+
+std::string meaning_of_energy(const mpm::Scene& scene) {
+  std::string text =
+      has_platens(scene)
+          ? "The work that the platens put in is stored, set free by failing points, or moves "
+            "the specimen"
+          : "The energy of the flight is stored, set free by failing points, or still moves the "
+            "specimen";
+  text += scene.local_damping > 0 ? ", or is damped away." : ".";
+  if (scene.kinematics != mpm::Kinematics::small_strain)
+    text += " What is missing from the energy put in is numerical dissipation of the moving points.";
+  return text;
+}
+
+std::string name_of_kinematics(const mpm::Scene& scene) {
+  if (scene.kinematics == mpm::Kinematics::small_strain) return "small strain";
+  const char* shape = scene.motion.shape == mpm::Shape::linear ? "linear"
+                      : scene.motion.shape == mpm::Shape::gimp ? "GIMP"
+                                                               : "B-spline";
+  const char* scheme = scene.motion.scheme == mpm::Scheme::usf   ? "USF"
+                       : scene.motion.scheme == mpm::Scheme::usl ? "USL"
+                                                                 : "MUSL";
+  return fmt::format("{}moving points ({}, {}, {})",
+                     scene.kinematics == mpm::Kinematics::automatic ? "small strain, then " : "", shape,
+                     scheme, transfer_name(scene.motion));
+}
 
 }  // namespace output

@@ -1,4 +1,5 @@
 /// The choices of a run in words, for people and for summary.json.
+/// What loads the specimen, and what stress and strain mean with it, in words.
 #pragma once
 
 #include <string>
@@ -17,7 +18,20 @@ namespace output {
 [[nodiscard]] std::string word_of(mpm::StopReason reason);      ///< "drop"
 [[nodiscard]] std::string phrase_of(mpm::StopReason reason);    ///< "the stress had dropped"
 
-[[nodiscard]] std::string capitalised(std::string text);         ///< "tension" -> "Tension"
-[[nodiscard]] std::string phase_word(const std::string& phase);  ///< "itz" -> "ITZ", others as they are
+[[nodiscard]] bool has_platens(const mpm::Scene& scene);
+
+/// "tension", "compression"; without platens "impact" where there is a wall, else "flight".
+[[nodiscard]] std::string name_of_loading(const mpm::Scene& scene);
+
+/// "compression at 0.2 m/s, smooth platens", "impact at 20 m/s, smooth wall at the bottom".
+[[nodiscard]] std::string setting_of_loading(const mpm::Scene& scene);
+
+[[nodiscard]] std::string name_of_strain(const mpm::Scene& scene);    ///< "platen strain", "nominal strain"
+[[nodiscard]] std::string name_of_stress(const mpm::Scene& scene);    ///< "stress", "stress on the walls"
+[[nodiscard]] std::string meaning_of_curve(const mpm::Scene& scene);  ///< what both are, in a sentence or two
+[[nodiscard]] std::string meaning_of_energy(const mpm::Scene& scene);  ///< where the energy goes
+
+/// "small strain", "moving points (GIMP, MUSL, FLIP)".
+[[nodiscard]] std::string name_of_kinematics(const mpm::Scene& scene);
 
 }  // namespace output

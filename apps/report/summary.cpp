@@ -1,11 +1,11 @@
 #include <nlohmann/json.hpp>
 
-#include "apps/drawing/damage_stages.hpp"
+#include "apps/drawing/damage_picture.hpp"
 #include "apps/drawing/deformed_picture.hpp"
-#include "apps/report/failure_table.hpp"
 #include "apps/report/key_figures.hpp"
+#include "apps/report/run_record.hpp"
 #include "apps/report/run_words.hpp"
-#include "apps/run/run_folder.hpp"
+#include "apps/text/version.hpp"
 
 namespace {
 
@@ -129,6 +129,6 @@ json summary(const RunRecord& record) {
   all["notes"] = output::all_notes(record);
   all["title"] = record.title;
   all["scene_hash"] = record.scene_hash;
-  all["version"] = output::version();
+  all["version"] = app::version();
   return all;
 }

@@ -1,12 +1,28 @@
+/// All figures that can be reproduced.
 /// All runs of the figures that were asked for, and what the figures make of them.
+/// The page and the numbers that a reproduction leaves.
+/// mesopix reproduce: the figures of the paper with our numbers beside its claims.
 #pragma once
 
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
+#include "apps/command/command.hpp"
 #include "apps/reproduce/figure.hpp"
 
 namespace app::reproduce {
+
+/// In the order of the paper. A new figure is one more line here.
+[[nodiscard]] const std::vector<Figure>& figures();
+
+/// Figures of these ids, each once, in the order of the paper; all of them for no id.
+/// @throws Rejected (Exit::usage) for an id that no figure has, naming all that there are.
+[[nodiscard]] std::vector<const Figure*> select_figures(const std::vector<std::string>& ids);
+
+/// "Figure 12", "Figures 8 to 11", "Figures 6 and 7".
+[[nodiscard]] std::string name_of(const Figure& figure);
 
 struct FigureResult {
   const Figure* figure = nullptr;
@@ -35,4 +51,32 @@ struct CampaignWatch {
 /// Claims of the figures that are done, in their order.
 [[nodiscard]] std::vector<Claim> claims_of(const Reproduction& reproduction);
 
+/// report.html: claims and verdicts, then each figure; one page that needs no network.
+[[nodiscard]] std::string report_html(const Reproduction& reproduction);
+
+/// reproduction.json: claims, the numbers of each figure, every run with its command.
+[[nodiscard]] nlohmann::json report_json(const Reproduction& reproduction);
+
+/// "6 agree with this run, 2 disagree and 1 depend on a choice or on chance".
+[[nodiscard]] std::string verdict_counts(const std::vector<Claim>& claims);
+
 }  // namespace app::reproduce
+
+namespace app {
+
+class ReproduceCommand : public Command {
+ public:
+  explicit ReproduceCommand(CLI::App& program);
+  Exit run(Console& console) override;
+
+ private:
+  std::vector<std::string> figures_;
+  std::string output_;
+  int jobs_ = 0;  ///< 0 = as many as there are cores
+  bool all_ = false;
+  bool overwrite_ = false;
+  bool json_ = false;
+  bool quiet_ = false;
+};
+
+}  // namespace app

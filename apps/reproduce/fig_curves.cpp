@@ -1,13 +1,12 @@
 // Figure 5: normalised stress-strain curves of random specimens, beside those of the design codes.
 #include <cmath>
 
-#include "apps/statistics/curve.hpp"
 #include "apps/report/key_figures.hpp"
 #include "apps/report/reference_curves.hpp"
 #include "apps/report/report_parts.hpp"
-#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/words.hpp"
+#include "apps/statistics/curve.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app::reproduce {
 namespace {
@@ -34,7 +33,7 @@ struct Direction {
   std::vector<Reference> references;
 };
 
-std::vector<Trial> trials(const Study& study) {
+std::vector<Trial> curves_trials(const Study& study) {
   std::vector<Trial> all;
   for (const char* scene : {"tension", "compression"}) {
     for (int seed = 1; seed <= study.specimens; ++seed) all.push_back(square_trial(study, scene, seed));
@@ -194,7 +193,7 @@ nlohmann::json json_of(const Direction& direction) {
   return json;
 }
 
-Section evaluate(const Study& study, const Outcomes& outcomes) {
+Section evaluate_curves(const Study& study, const Outcomes& outcomes) {
   const std::vector<Direction> directions{direction_of(study, outcomes, "tension"),
                                           direction_of(study, outcomes, "compression")};
   std::string html, charts[2];
@@ -217,6 +216,8 @@ Section evaluate(const Study& study, const Outcomes& outcomes) {
 
 }  // namespace
 
-Figure curves_figure() { return {{"5"}, "Curves in tension and in compression", trials, {}, evaluate}; }
+Figure curves_figure() {
+  return {{"5"}, "Curves in tension and in compression", curves_trials, {}, evaluate_curves};
+}
 
 }  // namespace app::reproduce

@@ -1,9 +1,8 @@
 // Figures 6 and 7: how the damage grows in tension and in compression.
-#include "apps/drawing/damage_stages.hpp"
+#include "apps/drawing/damage_picture.hpp"
 #include "apps/report/report_parts.hpp"
-#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/gallery.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app::reproduce {
 namespace {
@@ -14,7 +13,7 @@ Trial trial_of(const Study& study, const std::string& scene) {
   return square_trial(study, scene, 1, {}, true);
 }
 
-std::vector<Trial> trials(const Study& study) {
+std::vector<Trial> damage_trials(const Study& study) {
   return {trial_of(study, "tension"), trial_of(study, "compression")};
 }
 
@@ -77,7 +76,7 @@ nlohmann::json json_of(const output::DamageStages& stages) {
   return json;
 }
 
-Section evaluate(const Study& study, const Outcomes& outcomes) {
+Section evaluate_damage(const Study& study, const Outcomes& outcomes) {
   Section section;
   for (const std::string name : {"tension", "compression"}) {
     const Outcome& outcome = outcomes.of(trial_of(study, name));
@@ -93,6 +92,6 @@ Section evaluate(const Study& study, const Outcomes& outcomes) {
 
 }  // namespace
 
-Figure damage_figure() { return {{"6", "7"}, "Damage", trials, {}, evaluate}; }
+Figure damage_figure() { return {{"6", "7"}, "Damage", damage_trials, {}, evaluate_damage}; }
 
 }  // namespace app::reproduce

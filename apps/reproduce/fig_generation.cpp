@@ -2,14 +2,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "apps/drawing/picture_scale.hpp"
-#include "apps/report/report_parts.hpp"
-#include "apps/text/text.hpp"
-#include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/words.hpp"
-#include "apps/job/scene_builder.hpp"
+#include "apps/drawing/picture_parts.hpp"
+#include "apps/job/job.hpp"
 #include "apps/job/specimen_source.hpp"
-#include "specimen/picture/preview.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/reproduce/figure.hpp"
+#include "apps/text/figures.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace app::reproduce {
 namespace {
@@ -114,7 +113,7 @@ Claim time_claim(double seconds) {
               : "It took longer than the paper's time."};
 }
 
-Section evaluate(const Study& study, const Outcomes&) {
+Section evaluate_generation(const Study& study, const Outcomes&) {
   const Made made = make(study, 1);
   std::vector<double> seconds, aggregates;
   for (int seed = 1; seed <= study.specimens; ++seed) {
@@ -136,15 +135,16 @@ Section evaluate(const Study& study, const Outcomes&) {
        {"aggregate_points", made.aggregate_points},
        {"mortar_points", made.mortar_points},
        {"itz_points", made.itz_points},
-       {"seconds", json_of(time)},
-       {"aggregates_of_specimens", json_of(count)}},
+       {"seconds", reproduce::json_of(time)},
+       {"aggregates_of_specimens", reproduce::json_of(count)}},
       {time_claim(time.mean), count_claim(made)}};
 }
 
 }  // namespace
 
 Figure generation_figure() {
-  return {{"1", "2"}, "The specimen", [](const Study&) { return std::vector<Trial>(); }, {}, evaluate};
+  return {
+      {"1", "2"}, "The specimen", [](const Study&) { return std::vector<Trial>(); }, {}, evaluate_generation};
 }
 
 }  // namespace app::reproduce

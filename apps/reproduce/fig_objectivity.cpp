@@ -5,12 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "apps/statistics/curve.hpp"
 #include "apps/report/report_parts.hpp"
-#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/words.hpp"
+#include "apps/statistics/curve.hpp"
 #include "apps/statistics/statistics.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app::reproduce {
 namespace {
@@ -41,7 +40,7 @@ Trial trial_of(const Law& law, double pixel_size, int field) {
   return trial;
 }
 
-std::vector<Trial> trials(const Study& study) {
+std::vector<Trial> objectivity_trials(const Study& study) {
   std::vector<Trial> trials;
   for (const Law& law : laws())
     for (const double size : study.pixel_sizes)
@@ -163,14 +162,14 @@ nlohmann::json json_of_all(const std::vector<Convergence>& all) {
     law["energy_change_of_the_finest"] = Convergence::change(one.released);
     for (std::size_t k = 0; k < one.pixel_sizes.size(); ++k) {
       law["pixel_size_m"].push_back(1e-3 * one.pixel_sizes[k]);
-      law["peak_stress_Pa"].push_back(json_of(one.peak[k]));
-      law["released_J_per_m"].push_back(json_of(one.released[k]));
+      law["peak_stress_Pa"].push_back(reproduce::json_of(one.peak[k]));
+      law["released_J_per_m"].push_back(reproduce::json_of(one.released[k]));
     }
   }
   return json;
 }
 
-Section evaluate(const Study& study, const Outcomes& outcomes) {
+Section evaluate_objectivity(const Study& study, const Outcomes& outcomes) {
   std::vector<Convergence> all;
   for (const Law& law : laws()) all.push_back(convergence_of(law, study, outcomes));
   const std::string means = output::side_by_side(
@@ -190,7 +189,11 @@ Section evaluate(const Study& study, const Outcomes& outcomes) {
 }  // namespace
 
 Figure objectivity_figure() {
-  return {{"objectivity"}, "Beyond the paper: the size of the pixels", trials, {}, evaluate};
+  return {{"objectivity"},
+          "Beyond the paper: the size of the pixels",
+          objectivity_trials,
+          {},
+          evaluate_objectivity};
 }
 
 }  // namespace app::reproduce

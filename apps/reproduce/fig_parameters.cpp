@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "apps/report/report_parts.hpp"
-#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/reproduce/sweep.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app::reproduce {
 namespace {

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/statistics/curve.hpp"
 #include "apps/report/report_parts.hpp"
-#include "apps/text/text.hpp"
 #include "apps/reproduce/crack_place.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/gallery.hpp"
-#include "apps/reproduce/words.hpp"
+#include "apps/statistics/curve.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app::reproduce {
 namespace {
@@ -218,7 +216,7 @@ std::string definition(const Crack& crack) {
       output::trimmed(1e3 * crack_band), output::trimmed(1e3 * crack_band), output::percent(crack.share, 0));
 }
 
-Section evaluate(const Study& study, const Outcomes& outcomes) {
+Section evaluate_two_aggregates(const Study& study, const Outcomes& outcomes) {
   const Sample table1 = sample_of("Table 1", table1_trials(study), outcomes);
   const Sample calibrated = sample_of("Calibrated", calibrated_trials(study, outcomes), outcomes);
   const Crack crack = cracks_of(calibrated);
@@ -247,7 +245,11 @@ Section evaluate(const Study& study, const Outcomes& outcomes) {
 }  // namespace
 
 Figure two_aggregates_figure() {
-  return {{"8", "9", "10", "11"}, "Two aggregates in tension", table1_trials, calibrated_trials, evaluate};
+  return {{"8", "9", "10", "11"},
+          "Two aggregates in tension",
+          table1_trials,
+          calibrated_trials,
+          evaluate_two_aggregates};
 }
 
 }  // namespace app::reproduce

@@ -1,16 +1,16 @@
 // Figure 3: density and distribution of the strengths, measured on the points of a specimen.
 #include <cmath>
 
-#include "apps/statistics/curve.hpp"
+#include "apps/job/job.hpp"
+#include "apps/job/specimen_source.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_words.hpp"
-#include "apps/text/text.hpp"
 #include "apps/reproduce/figure.hpp"
-#include "apps/reproduce/words.hpp"
-#include "apps/job/scene_builder.hpp"
-#include "apps/job/specimen_source.hpp"
+#include "apps/statistics/curve.hpp"
 #include "apps/statistics/statistics.hpp"
 #include "apps/statistics/weibull_fit.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/material/strength.hpp"
 
 namespace app::reproduce {
@@ -131,7 +131,7 @@ std::vector<std::string> row_of(const Strengths& one) {
           output::rounded(one.critical, 2)};
 }
 
-Section evaluate(const Study& study, const Outcomes&) {
+Section evaluate_weibull(const Study& study, const Outcomes&) {
   const std::vector<Strengths> all = measure(study);
   std::vector<std::vector<std::string>> rows;
   nlohmann::json data;
@@ -163,7 +163,7 @@ Section evaluate(const Study& study, const Outcomes&) {
 }  // namespace
 
 Figure weibull_figure() {
-  return {{"3"}, "Random strengths", [](const Study&) { return std::vector<Trial>(); }, {}, evaluate};
+  return {{"3"}, "Random strengths", [](const Study&) { return std::vector<Trial>(); }, {}, evaluate_weibull};
 }
 
 }  // namespace app::reproduce

@@ -1,6 +1,39 @@
 #include "apps/reproduce/figure.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "apps/drawing/damage_picture.hpp"
+#include "apps/report/report_parts.hpp"
+#include "apps/report/run_words.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/words.hpp"
+
 namespace app::reproduce {
+
+std::string word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::agrees:
+      return "agrees";
+    case Verdict::disagrees:
+      return "disagrees";
+    case Verdict::depends:
+      return "depends";
+  }
+  return {};
+}
+
+Verdict verdict_of(const std::vector<bool>& holds) {
+  const auto count = std::count(holds.begin(), holds.end(), true);
+  if (count == static_cast<std::ptrdiff_t>(holds.size())) return Verdict::agrees;
+  return count == 0 ? Verdict::disagrees : Verdict::depends;
+}
+
+Verdict verdict_of_share(double share) {
+  if (share >= 0.8) return Verdict::agrees;
+  return share > 0.2 ? Verdict::depends : Verdict::disagrees;
+}
 
 Trial square_trial(const Study& study, const std::string& scene, int seed,
                    const std::vector<Setting>& settings, bool keep_maps) {
@@ -9,6 +42,66 @@ Trial square_trial(const Study& study, const std::string& scene, int seed,
   for (const auto* more : {&settings, &study.square})
     trial.settings.insert(trial.settings.end(), more->begin(), more->end());
   return trial;
+}
+
+namespace {
+
+std::string with_deviation(const Spread& spread, double factor, const std::string& unit) {
+  std::string text = output::rounded(factor * spread.mean);
+  if (spread.deviation > 0) text += " ± " + output::rounded(factor * spread.deviation, 2);
+  return text + " " + unit;
+}
+
+}  // namespace
+
+std::string megapascals(double stress) { return output::rounded(1e-6 * stress) + " MPa"; }
+std::string microstrain(double strain) { return output::rounded(1e6 * strain) + " microstrain"; }
+std::string megapascals(const Spread& stress) { return with_deviation(stress, 1e-6, "MPa"); }
+std::string microstrain(const Spread& strain) { return with_deviation(strain, 1e6, "microstrain"); }
+
+std::string counted(int count, const std::string& noun) {
+  return count == 1 ? "one " + noun : std::to_string(count) + " " + noun + "s";
+}
+
+nlohmann::json json_of(const Spread& spread) {
+  return {{"mean", spread.mean},
+          {"standard_deviation", spread.deviation},
+          {"least", spread.low},
+          {"largest", spread.high}};
+}
+
+std::string damage_legend(const specimen::LabelledMask& mask) {
+  const output::Palette palette = output::colour_palette();
+  std::string html =
+      output::swatch(palette.tension, "failed in tension") + output::swatch(palette.shear, "failed in shear");
+  const auto& labels = mask.labels.data;
+  for (std::size_t label = 0; label < mask.phases.size(); ++label)
+    if (std::find(labels.begin(), labels.end(), static_cast<std::uint8_t>(label)) != labels.end())
+      html += output::swatch(palette.phases[label], output::phase_word(mask.phases[label]));
+  return "<p class=\"legend\">\n" + html + "</p>\n";
+}
+
+std::string damage_pictures(const Outcome& outcome, const std::vector<int>& percents,
+                            const std::string& caption) {
+  std::string html;
+  for (const output::DamageStage& stage : output::damage_stages(outcome.result).drawn) {
+    if (std::find(percents.begin(), percents.end(), stage.percent) == percents.end()) continue;
+    const std::string share = fmt::format("{} % of the peak strain", stage.percent);
+    html +=
+        "<figure>\n" +
+        output::image(output::damage_picture(outcome.specimen.mask, outcome.result, stage.strain,
+                                             output::colour_palette()),
+                      "Damage at " + share, "") +
+        fmt::format(
+            "<figcaption><b>{}</b>{}<br/>{}<br/>{} failed in tension, {} in shear</figcaption>\n</figure>\n",
+            share, output::escape(caption), microstrain(stage.strain), output::grouped(stage.tension),
+            output::grouped(stage.shear));
+  }
+  return html;
+}
+
+std::string gallery(const std::string& pictures_html) {
+  return "<div class=\"pictures\">\n" + pictures_html + "</div>\n";
 }
 
 }  // namespace app::reproduce

@@ -1,4 +1,7 @@
+/// What the paper says, what a run found, and whether the two go together.
 /// A figure of the paper, or a few that show one experiment: which runs it needs and what it makes of them.
+/// Numbers of a reproduction in sentences.
+/// Pictures of damage on the page.
 #pragma once
 
 #include <functional>
@@ -6,10 +9,33 @@
 #include <string>
 #include <vector>
 
-#include "apps/reproduce/claim.hpp"
 #include "apps/reproduce/trial.hpp"
+#include "apps/statistics/statistics.hpp"
 
 namespace app::reproduce {
+
+enum class Verdict {
+  agrees,
+  disagrees,
+  depends,  ///< holds in some of the cases that were run, or with another value of a parameter
+};
+
+struct Claim {
+  std::string id;        ///< "peaks-rise-with-m"
+  std::string figure;    ///< of the paper: "12"
+  std::string paper;     ///< in our words
+  std::string measured;  ///< made from the numbers of the run
+  Verdict verdict = Verdict::disagrees;
+  std::string why;  ///< how the verdict follows from the numbers
+};
+
+[[nodiscard]] std::string word_of(Verdict verdict);  ///< "agrees", "disagrees", "depends"
+
+/// Of a claim that was tested in several cases: holds in all, in none, in some.   @pre at least one case.
+[[nodiscard]] Verdict verdict_of(const std::vector<bool>& holds);
+
+/// Of a claim about a random thing: holds in at least 80 % of the cases, in at most 20 %, or between.
+[[nodiscard]] Verdict verdict_of_share(double share);
 
 /// How much is run.
 struct Study {
@@ -52,5 +78,29 @@ struct Figure {
 [[nodiscard]] Figure strength_figure();        ///< 13
 [[nodiscard]] Figure cohesion_figure();        ///< 14
 [[nodiscard]] Figure objectivity_figure();     ///< beyond the paper
+
+[[nodiscard]] std::string megapascals(double stress);  ///< 3.43e6 -> "3.43 MPa"
+[[nodiscard]] std::string microstrain(double strain);  ///< 149e-6 -> "149 microstrain"
+
+/// Mean and standard deviation: "3.43 ± 0.05 MPa".
+[[nodiscard]] std::string megapascals(const Spread& stress);
+[[nodiscard]] std::string microstrain(const Spread& strain);
+
+/// "one random specimen", "20 random specimens".
+[[nodiscard]] std::string counted(int count, const std::string& noun);
+
+/// Spread as JSON: mean, standard_deviation, least, largest.
+[[nodiscard]] nlohmann::json json_of(const Spread& spread);
+
+/// What the colours of the pictures mean, for the phases of a mask.
+[[nodiscard]] std::string damage_legend(const specimen::LabelledMask& mask);
+
+/// Damage at shares of the strain at the peak [%]; one that the run did not reach is left out.
+/// @pre the maps of the outcome are kept.
+[[nodiscard]] std::string damage_pictures(const Outcome& outcome, const std::vector<int>& percents,
+                                          const std::string& caption = "");
+
+/// Pictures beside each other.
+[[nodiscard]] std::string gallery(const std::string& pictures_html);
 
 }  // namespace app::reproduce

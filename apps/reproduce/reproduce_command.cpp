@@ -1,17 +1,15 @@
-#include "apps/reproduce/reproduce_command.hpp"
+#include "apps/reproduce/campaign.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <filesystem>
 
-#include "apps/system/interrupt.hpp"
-#include "apps/system/job_pool.hpp"
-#include "apps/text/json_text.hpp"
-#include "apps/reproduce/figure_table.hpp"
-#include "apps/reproduce/reproduce_report.hpp"
-#include "apps/reproduce/words.hpp"
+#include "apps/reproduce/figure.hpp"
 #include "apps/run/run_location.hpp"
+#include "apps/system/job_pool.hpp"
+#include "apps/system/processes.hpp"
+#include "apps/text/markup.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {

@@ -1,16 +1,16 @@
-#include "apps/reproduce/reproduce_report.hpp"
+#include "apps/reproduce/campaign.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "apps/text/html.hpp"
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report_parts.hpp"
-#include "apps/text/text.hpp"
-#include "apps/reproduce/figure_table.hpp"
-#include "apps/reproduce/words.hpp"
+#include "apps/reproduce/figure.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/version.hpp"
 
 namespace app::reproduce {
 namespace {
@@ -24,7 +24,7 @@ std::string header() {
       "<header>\n<h1>{}</h1>\n<p class=\"setting\">Numerical Simulation of Mesodamage Behavior of Concrete "
       "Based on "
       "Material Point Method, Advances in Civil Engineering. By mesopix {}.</p>\n</header>\n",
-      title, escape(output::version()));
+      title, escape(version()));
 }
 
 std::string how_it_was_run(const Reproduction& reproduction) {
@@ -165,7 +165,7 @@ std::string report_html(const Reproduction& reproduction) {
 }
 
 nlohmann::json report_json(const Reproduction& reproduction) {
-  nlohmann::json json{{"version", output::version()},
+  nlohmann::json json{{"version", version()},
                       {"interrupted", reproduction.interrupted},
                       {"specimens", reproduction.study.specimens},
                       {"repeats", reproduction.study.repeats},

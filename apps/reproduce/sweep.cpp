@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <array>
+#include "apps/text/words.hpp"
 
-#include "apps/statistics/curve.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_words.hpp"
-#include "apps/text/text.hpp"
-#include "apps/reproduce/words.hpp"
+#include "apps/reproduce/figure.hpp"
+#include "apps/statistics/curve.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app::reproduce {
 namespace {
 
-constexpr double dropped = 0.5;    ///< share of the peak
-constexpr double itz_share = 0.6;  ///< strength of the ITZ over that of the mortar, Table 1
+constexpr double dropped = 0.5;             ///< share of the peak
+constexpr double itz_strength_share = 0.6;  ///< strength of the ITZ over that of the mortar, Table 1
 
 int repeats_of(const Case& test, const Study& study) {
   return test.repeats > 0 ? test.repeats : study.repeats;
@@ -158,7 +159,7 @@ std::string names_where(const std::vector<CaseResult>& results, const std::vecto
 
 std::vector<Setting> strength_settings(const std::string& property, double mortar_megapascals) {
   return {{"phases.mortar." + property, fmt::format("{:g} MPa", mortar_megapascals)},
-          {"phases.itz." + property, fmt::format("{:g} MPa", itz_share * mortar_megapascals)}};
+          {"phases.itz." + property, fmt::format("{:g} MPa", itz_strength_share * mortar_megapascals)}};
 }
 
 }  // namespace app::reproduce

@@ -1,10 +1,9 @@
 #include "apps/reproduce/trial.hpp"
 
-#include "apps/text/complaint.hpp"
-#include "apps/reproduce/paper_scene.hpp"
-#include "apps/job/scene_builder.hpp"
-#include "apps/scene/scene_file.hpp"
+#include "apps/job/job.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/scene/scene_file.hpp"
+#include "apps/text/complaint.hpp"
 #include "libmpm/run/simulate.hpp"
 
 namespace app::reproduce {

@@ -1,3 +1,4 @@
+/// The scenes of data/paper, which the program carries in itself.
 /// One run of a figure: a scene of the paper, and the settings in which this run differs from it.
 #pragma once
 
@@ -12,6 +13,20 @@
 #include "specimen/body/specimen.hpp"
 
 namespace app::reproduce {
+
+struct PaperScene {
+  std::string name;  ///< "tension"
+  std::string text;  ///< TOML
+};
+
+/// In alphabetical order.
+[[nodiscard]] const std::vector<PaperScene>& paper_scenes();
+
+/// @pre there is one of that name.
+[[nodiscard]] const PaperScene& paper_scene(const std::string& name);
+
+/// "data/paper/tension.toml": where the file lies in the sources.
+[[nodiscard]] std::string path_of_scene(const std::string& name);
 
 /// Key and value as on the command line, e.g. {"phases.mortar.tensile_scale", "8 MPa"}.
 using Setting = std::pair<std::string, std::string>;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "apps/text/text.hpp"
+#include "apps/text/figures.hpp"
 #include "libmpm/solver/plan.hpp"
 
 namespace app {

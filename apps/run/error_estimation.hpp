@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "apps/report/error_estimate.hpp"
+#include "apps/report/run_record.hpp"
 #include "libmpm/scene/result.hpp"
 #include "libmpm/scene/scene.hpp"
 

@@ -3,21 +3,20 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "apps/system/attempts.hpp"
-#include "apps/drawing/chart_layout.hpp"
-#include "apps/report/curve_csv.hpp"
+#include "apps/drawing/chart.hpp"
 #include "apps/drawing/damage_picture.hpp"
-#include "apps/drawing/damage_stages.hpp"
 #include "apps/drawing/deformed_picture.hpp"
-#include "apps/drawing/picture_scale.hpp"
-#include "apps/drawing/png.hpp"
+#include "apps/drawing/drawing_files.hpp"
+#include "apps/drawing/picture_parts.hpp"
+#include "apps/report/key_figures.hpp"
 #include "apps/report/report.hpp"
 #include "apps/report/run_charts.hpp"
-#include "libmpm/scene/error.hpp"
+#include "apps/system/files.hpp"
 #include "libmpm/files/replace_file.hpp"
 #include "libmpm/files/result_file.hpp"
-#include "specimen/picture/preview.hpp"
+#include "libmpm/scene/error.hpp"
 #include "specimen/file/specimen_file.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace {
 

@@ -3,7 +3,12 @@
 #include <string>
 #include <system_error>
 
+#include "apps/job/job.hpp"
+#include "apps/scene/input.hpp"
+#include "apps/scene/scene_file.hpp"
+#include "apps/system/hdf5_files.hpp"
 #include "apps/text/complaint.hpp"
+#include "specimen/body/files.hpp"
 
 namespace app {
 namespace {
@@ -47,6 +52,29 @@ fs::path make_run_folder(const fs::path& wanted, const fs::path& stem, bool over
                                           "choose another folder, or add --overwrite"));
   make_folders(folder);
   return folder;
+}
+
+RunRecord ReadRun::record() const {
+  return {specimen, scene, result, scene_toml, specimen::sha256_of_text(scene_toml), settings.title, {}};
+}
+
+ReadRun read_run(const std::string& folder) {
+  if (kind_of_input(folder) != InputKind::folder)
+    throw Rejected(Exit::usage, complaint("RUN", folder, "must be the folder of a run"));
+  const auto file = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
+  ReadRun run;
+  run.result = read_result(file("result.h5"));
+  run.specimen = read_specimen(file("specimen.h5"));
+  run.scene_toml = read_scene_text(file("result.h5"));
+  run.settings = resolve(parse_scene(run.scene_toml, file("scene.toml")), {}).settings;
+  run.scene = build_scene(run.specimen, run.settings);
+  const bool fits =
+      run.result.failure_strain.size() == 0 || (run.result.failure_strain.rows() == run.scene.labels.rows() &&
+                                                run.result.failure_strain.cols() == run.scene.labels.cols());
+  if (!fits)
+    throw Rejected(Exit::data, complaint(folder, "specimen.h5 and result.h5 have other shapes", "",
+                                         "take the folder as one run has written it"));
+  return run;
 }
 
 }  // namespace app

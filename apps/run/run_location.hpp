@@ -1,9 +1,13 @@
 /// In which folder a run is written.
+/// A run folder, read back.
 #pragma once
 
 #include <filesystem>
 #include <system_error>
 #include <utility>
+
+#include "apps/run/run_folder.hpp"
+#include "apps/settings/settings.hpp"
 
 namespace app {
 
@@ -31,5 +35,21 @@ class FreshFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// Owner of what a RunRecord refers to.
+struct ReadRun {
+  specimen::Specimen specimen;
+  mpm::Scene scene;
+  mpm::Result result;
+  std::string scene_toml;
+  Settings settings;  ///< of the scene, paths in it relative to where the program is
+
+  [[nodiscard]] RunRecord record() const;
+};
+
+/// Specimen, scene and result of a run.
+/// @throws Rejected (Exit::usage) for what is no run folder, (Exit::data) for one whose files do not belong
+/// together, and the errors of the readers.
+[[nodiscard]] ReadRun read_run(const std::string& folder);
 
 }  // namespace app

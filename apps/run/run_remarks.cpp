@@ -1,10 +1,49 @@
 #include "apps/run/run_remarks.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/report/run_words.hpp"
 #include "apps/text/complaint.hpp"
 
 namespace app {
+namespace {
+
+/// Share of the energy put in that the ledger may miss without a word. Points that move lose more to the
+/// grid, and can lose it all in the end where rubble is ground.
+double tolerated_energy_error(const mpm::Scene& scene) {
+  return scene.kinematics == mpm::Kinematics::small_strain ? 0.01 : 0.1;
+}
+
+/// What keeps more of the energy than the scene does.
+std::string less_dissipation(const mpm::Scene& scene) {
+  const mpm::Motion& motion = scene.motion;
+  if (motion.transfer == mpm::Transfer::apic || motion.flip_ratio < 1)
+    return "motion.transfer = \"flip\" with motion.flip_ratio = 1 loses less";
+  if (motion.scheme == mpm::Scheme::usl) return "motion.scheme = \"musl\" or \"usf\" loses less";
+  return "a smaller solver.cfl loses less";
+}
+
+}  // namespace
+
+std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
+  if (!(result.energy_error > tolerated_energy_error(scene))) return {};
+  const std::string put_in = output::has_platens(scene) ? "the platen work" : "the energy of the flight";
+  if (scene.damage.crack_closure == mpm::CrackClosure::clipped)
+    return fmt::format(
+        "the ledger of energies is off by {:.2g} % of {}; damage.crack_closure = \"clipped\" "
+        "does not keep energy, \"unilateral\" does",
+        100 * result.energy_error, put_in);
+  if (scene.kinematics == mpm::Kinematics::small_strain)
+    return fmt::format("the ledger of energies is off by {:.2g} % of {}; try a smaller solver.cfl",
+                       100 * result.energy_error, put_in);
+  return fmt::format(
+      "{:.2g} % of {} was lost to numerical dissipation, as moving points average velocities "
+      "through the grid; {}",
+      100 * result.energy_error, put_in, less_dissipation(scene));
+}
+
 namespace {
 
 using nlohmann::json;
@@ -48,6 +87,57 @@ RunRemarks parse_remarks(const std::string& text, const std::string& path) try {
 } catch (const json::exception& error) {
   throw Rejected(Exit::data, complaint(path, error.what(), "must be a checkpoint of mesopix simulate",
                                        "begin the run anew"));
+}
+
+namespace {
+
+constexpr double nano = 1e-9;
+
+std::string bytes_text(double bytes) { return bytes > 0 ? fmt::format("{:.0f}", bytes) : std::string("-"); }
+
+/// A difference that is smaller than what such a measurement can tell, below 0 at times, is shown as such.
+std::string time_text(const mpm::Feature& feature, double run) {
+  if (!feature.time) return "-";
+  const double least = 0.05 * run;
+  if (*feature.time < least) return fmt::format("< {:.2f}", least / nano);
+  return fmt::format("{:.2f}", *feature.time / nano);
+}
+
+std::string rows(const mpm::Explanation& explanation, bool in, std::size_t width) {
+  std::string text;
+  for (const mpm::Feature& feature : explanation.features)
+    if (feature.in == in)
+      text += fmt::format("  {:<{}}  {:>5}  {:>7}  {}\n", feature.name, width, bytes_text(feature.bytes),
+                          time_text(feature, explanation.time), feature.why);
+  return text;
+}
+
+}  // namespace
+
+std::string explanation_text(const mpm::Explanation& explanation) {
+  std::size_t width = 0;
+  for (const mpm::Feature& feature : explanation.features) width = std::max(width, feature.name.size());
+  std::string text =
+      fmt::format("{}: {:.0f} bytes a point, {:.2f} ns a point and step, measured on this scene\n\n",
+                  explanation.kinematics, explanation.bytes, explanation.time / nano);
+  text += fmt::format("  {:<{}}  {:>5}  {:>7}\n", "", width, "bytes", "ns");
+  text += "In, and what it takes a point:\n" + rows(explanation, true, width);
+  text += "Left out, and what that saves a point:\n" + rows(explanation, false, width);
+  return text;
+}
+
+nlohmann::ordered_json explanation_json(const mpm::Explanation& explanation) {
+  nlohmann::ordered_json features = nlohmann::ordered_json::array();
+  for (const mpm::Feature& feature : explanation.features) {
+    nlohmann::ordered_json one{
+        {"name", feature.name}, {"in", feature.in}, {"why", feature.why}, {"bytes_per_point", feature.bytes}};
+    if (feature.time) one["s_per_point_update"] = *feature.time;
+    features.push_back(std::move(one));
+  }
+  return {{"kinematics", explanation.kinematics},
+          {"bytes_per_point", explanation.bytes},
+          {"s_per_point_update", explanation.time},
+          {"features", std::move(features)}};
 }
 
 }  // namespace app

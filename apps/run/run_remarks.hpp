@@ -1,12 +1,22 @@
+/// What there is to say of a ledger of energies that does not close.
 /// What a run has to remember beside its state, so that it ends as it was asked to after it was stopped.
+/// What a run has in it and what it leaves out, as text and as JSON.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "apps/report/error_estimate.hpp"
+#include "apps/report/run_record.hpp"
+#include "libmpm/run/explain.hpp"
+#include "libmpm/scene/result.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace app {
+
+/// By how much it is off, why, and what helps; empty for an error below 1 % of the energy put in, or below 10
+/// % where points move.
+[[nodiscard]] std::string energy_note(const mpm::Result& result, const mpm::Scene& scene);
 
 struct RunRemarks {
   std::vector<std::string> notes;   ///< what was guessed before the run began, one sentence each
@@ -21,5 +31,10 @@ struct RunRemarks {
 /// @param path  of the checkpoint, for the message.   @throws Rejected (Exit::data) for a text that is none
 /// of these.
 [[nodiscard]] RunRemarks parse_remarks(const std::string& text, const std::string& path);
+
+/// A table of the features, those that are in first.
+[[nodiscard]] std::string explanation_text(const mpm::Explanation& explanation);
+
+[[nodiscard]] nlohmann::ordered_json explanation_json(const mpm::Explanation& explanation);
 
 }  // namespace app

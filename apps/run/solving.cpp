@@ -2,10 +2,9 @@
 
 #include <utility>
 
-#include "apps/run/energy_note.hpp"
-#include "apps/text/text.hpp"
 #include "apps/live/progress_line.hpp"
-#include "apps/text/strain_text.hpp"
+#include "apps/run/run_remarks.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app {
 

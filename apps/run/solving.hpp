@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/system/console.hpp"
-#include "apps/run/error_estimation.hpp"
-#include "apps/system/interrupt.hpp"
 #include "apps/job/job.hpp"
+#include "apps/run/error_estimation.hpp"
+#include "apps/system/processes.hpp"
+#include "apps/system/terminal.hpp"
 #include "libmpm/run/simulate.hpp"
 
 namespace app {

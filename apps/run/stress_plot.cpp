@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/drawing/ticks.hpp"
 #include "apps/run/frame_folder.hpp"
+#include "apps/settings/assignment.hpp"
 #include "apps/system/hdf5_files.hpp"
-#include "apps/drawing/strain_unit.hpp"
-#include "apps/settings/read_option.hpp"
 
 namespace app {
 namespace {

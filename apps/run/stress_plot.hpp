@@ -6,9 +6,8 @@
 #include <string>
 
 #include "apps/drawing/drawing.hpp"
-#include "apps/drawing/stress_component.hpp"
 #include "apps/drawing/stress_drawing.hpp"
-#include "apps/run/run_reader.hpp"
+#include "apps/run/run_location.hpp"
 
 namespace app {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <sstream>
 
-#include "apps/text/csv_cells.hpp"
-#include "apps/text/suggestion.hpp"
-#include "apps/system/text_file.hpp"
+#include "apps/system/files.hpp"
+#include "apps/text/text_parts.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "apps/text/complaint.hpp"
 #include "apps/text/quantity.hpp"
-#include "apps/text/value.hpp"
 #include "specimen/body/ellipse.hpp"
 
 namespace app {

@@ -8,6 +8,12 @@
 
 namespace app {
 
+/// What an INPUT is, told by its first bytes and, for scenes, by its name.
+enum class InputKind { hdf5, scene, picture, folder };
+
+/// @throws Rejected (Exit::io) when there is nothing that can be read.
+[[nodiscard]] InputKind kind_of_input(const std::string& path);
+
 /// What generate draws: ellipses, of a scene or by settings alone.
 /// @param scene  path; empty = none.   @throws Rejected, also for a scene whose specimen is a picture or a
 /// file.

@@ -1,14 +1,13 @@
-#include "apps/scene/scene_draft.hpp"
+#include "apps/scene/scene_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "apps/text/complaint.hpp"
-#include "apps/system/hdf5_files.hpp"
-#include "apps/scene/scene_text.hpp"
 #include "apps/settings/schema.hpp"
+#include "apps/system/hdf5_files.hpp"
+#include "apps/text/complaint.hpp"
 #include "apps/text/version.hpp"
 #include "specimen/picture/picture.hpp"
 

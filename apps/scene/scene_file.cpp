@@ -6,9 +6,8 @@
 #include <filesystem>
 
 #include "apps/scene/ellipse_list.hpp"
-#include "apps/study/study_fields.hpp"
-#include "apps/system/text_file.hpp"
-#include "apps/scene/toml_value.hpp"
+#include "apps/scene/toml.hpp"
+#include "apps/system/files.hpp"
 
 namespace app {
 namespace {
@@ -52,7 +51,9 @@ class Walk {
     if (is_full()) return;  // a suggestion takes its time
     if (is_group(name)) return complain(key.source(), name, "must be a table", "write [" + name + "]");
     complain(key.source(), name, "unknown key",
-             is_study_key(name) ? "is of a study, which mesopix study runs" : suggest_key(name, Settings()));
+             std::find(study_keys.begin(), study_keys.end(), name) != study_keys.end()
+                 ? "is of a study, which mesopix study runs"
+                 : suggest_key(name, Settings()));
   }
 
   void phases(const toml::table& table) {

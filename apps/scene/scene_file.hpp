@@ -1,12 +1,20 @@
 /// Scene files: TOML whose keys are those of the schema, and [[ellipses]].
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/settings/assignment.hpp"
 
 namespace app {
+
+/// The table of a study file that says which keys of the scene vary.
+inline constexpr const char* study_vary = "vary";
+/// Keys that stand in study files and in no scene.
+inline constexpr std::array<std::string_view, 7> study_keys{study_vary,      "scene", "sampling", "samples",
+                                                            "sampling_seed", "seeds", "seed_of"};
 
 /// A scene file as it was written, not yet applied.
 struct SceneFile {

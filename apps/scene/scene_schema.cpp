@@ -1,4 +1,4 @@
-#include "apps/scene/scene_schema.hpp"
+#include "apps/scene/scene_text.hpp"
 
 #include <fmt/format.h>
 

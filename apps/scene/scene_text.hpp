@@ -1,12 +1,18 @@
 /// The resolved scene: every setting that has an effect, written out as TOML.
+/// The JSON Schema of scenes, for editors that complete and check TOML.
+/// A scene to begin with.
+/// What sets scenes apart.
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "apps/settings/settings.hpp"
-#include "apps/text/value.hpp"
+#include "apps/text/quantity.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace app {
 
@@ -25,5 +31,35 @@ enum class Extent {
 /// @param folder  paths are written relative to it, where the text is to be kept.
 [[nodiscard]] std::string scene_text(const Settings& settings, Extent extent,
                                      const std::filesystem::path& folder);
+
+/// In draft 7, which the editors' TOML plug-ins read. It tells types, words, units and the ranges that a
+/// schema can express (of texts with a unit only their sign); what depends on other keys it cannot.
+[[nodiscard]] nlohmann::ordered_json scene_schema();
+
+/// What a person who begins knows already.
+struct DraftWish {
+  std::string picture;   ///< that the specimen is made from
+  std::string width;     ///< of the picture, "40 mm"; empty = as its file says
+  std::string specimen;  ///< file that it is read from; neither: random aggregates
+  mpm::Direction direction = mpm::Direction::tension;
+  std::string file;    ///< that the scene is to be kept in
+  std::string schema;  ///< file of the JSON Schema, which the scene then names; empty = none
+};
+
+/// A scene that runs in seconds: the settings that a first run is about, and as comments all others that
+/// would have an effect, with their defaults and what is allowed. Paths are written relative to the folder of
+/// the scene.
+/// @throws Rejected for a picture that does not tell its scale, and a file that cannot be read.
+[[nodiscard]] std::string scene_draft(const DraftWish& wish);
+
+/// A setting that is not the same in all scenes.
+struct SceneDifference {
+  std::string key;                  ///< "loading.velocity"
+  std::vector<std::string> values;  ///< as the scene files write them, by scene; empty = not there
+};
+
+/// Settings that differ between resolved scenes, sorted by key.
+/// @param scenes  texts of scene files.   @throws Rejected (Exit::data) for a text that is no TOML.
+[[nodiscard]] std::vector<SceneDifference> scene_differences(const std::vector<std::string>& scenes);
 
 }  // namespace app

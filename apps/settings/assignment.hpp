@@ -1,16 +1,30 @@
+/// Options that are no settings of the scene, read by the codecs of those.
 /// Settings as the user wrote them, from a scene file or the command line, and how they are applied.
+/// What every exception of the libraries means to who asked: the exit code, and the complaints.
 #pragma once
 
+#include <exception>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "apps/text/complaint.hpp"
+#include "apps/settings/codec.hpp"
 #include "apps/settings/schema.hpp"
 #include "apps/settings/settings.hpp"
-#include "apps/text/value.hpp"
+#include "apps/text/complaint.hpp"
+#include "apps/text/quantity.hpp"
 
 namespace app {
+
+/// @param option  "--tolerance".   @throws Rejected (Exit::usage) for a text that the codec refuses.
+template <class Codec>
+[[nodiscard]] auto read_option(const char* option, const std::string& text, const Codec& codec) {
+  try {
+    return codec.read(from_command_line(Kind::integer, text));
+  } catch (const Mistake& mistake) {
+    throw Rejected(Exit::usage, complaint(option, text, mistake.allowed, mistake.cure));
+  }
+}
 
 /// One setting that the user gave.
 struct Assignment {
@@ -36,5 +50,10 @@ void apply(const std::vector<Assignment>& assignments, Settings& settings,
 
 /// A complaint about a field of the libraries, at the place where the user set it.
 [[nodiscard]] Complaint locate(const Origins& origins, Complaint complaint);
+[[nodiscard]] Locate located_by(Origins origins);
+
+/// The exception as a refusal, its complaints at the places where the user set what they are about. What none
+/// of ours is becomes an internal error.   @pre there is an exception.
+[[nodiscard]] Rejected refusal_of(const std::exception_ptr& exception, const Locate& locate = {});
 
 }  // namespace app

@@ -13,8 +13,7 @@
 
 #include "apps/text/complaint.hpp"
 #include "apps/text/quantity.hpp"
-#include "apps/text/suggestion.hpp"
-#include "apps/text/value.hpp"
+#include "apps/text/words.hpp"
 #include "specimen/convert/convert.hpp"
 #include "specimen/pack/grading.hpp"
 

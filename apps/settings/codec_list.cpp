@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "apps/settings/codec.hpp"
-#include "apps/text/number_text.hpp"
+#include "apps/text/quantity.hpp"
 #include "apps/text/text_parts.hpp"
 
 namespace app {

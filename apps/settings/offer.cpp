@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "apps/text/complaint.hpp"
-#include "apps/text/suggestion.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {

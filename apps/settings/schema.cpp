@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "apps/text/suggestion.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {

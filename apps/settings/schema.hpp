@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/settings/field.hpp"
+#include "apps/settings/form.hpp"
 #include "apps/settings/settings.hpp"
 
 namespace app {

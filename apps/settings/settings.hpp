@@ -8,10 +8,10 @@
 
 #include "libmpm/scene/phase.hpp"
 #include "libmpm/scene/scene.hpp"
-#include "specimen/convert/convert.hpp"
 #include "specimen/body/ellipse.hpp"
-#include "specimen/pack/packing.hpp"
 #include "specimen/body/ring.hpp"
+#include "specimen/convert/convert.hpp"
+#include "specimen/pack/packing.hpp"
 
 namespace app {
 

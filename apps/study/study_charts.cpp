@@ -7,10 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/drawing/colour_bar.hpp"
 #include "apps/drawing/picture_parts.hpp"
-#include "apps/drawing/picture_scale.hpp"
-#include "apps/drawing/strain_unit.hpp"
+#include "apps/drawing/stress_drawing.hpp"
+#include "apps/drawing/ticks.hpp"
 #include "apps/statistics/statistics.hpp"
 
 namespace app {

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "apps/statistics/confidence.hpp"
 #include "apps/drawing/chart.hpp"
 #include "apps/drawing/drawing.hpp"
-#include "apps/statistics/size_effect.hpp"
-#include "apps/study/study_results.hpp"
+#include "apps/statistics/influences.hpp"
+#include "apps/statistics/statistics.hpp"
 #include "apps/statistics/weibull_fit.hpp"
+#include "apps/study/study_results.hpp"
 #include "specimen/body/mask.hpp"
 
 namespace app {

@@ -1,11 +1,17 @@
+/// The keys of study files.
 /// Study files: TOML that says what of a scene varies, and how.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "apps/settings/form.hpp"
 #include "apps/study/study.hpp"
 
 namespace app {
+
+/// Keys of a study file beside its table [vary].
+[[nodiscard]] const std::vector<FieldOf<StudyPlan>>& study_fields();
 
 /// Whether a text is a study, right or wrong: it names a scene, or says what varies. Other keys of studies
 /// stand in scenes by mistake.

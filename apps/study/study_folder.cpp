@@ -7,13 +7,13 @@
 #include <set>
 #include <system_error>
 
-#include "apps/text/json_text.hpp"
-#include "apps/text/text.hpp"
 #include "apps/run/run_location.hpp"
-#include "apps/scene/scene_differences.hpp"
+#include "apps/scene/scene_text.hpp"
 #include "apps/study/study_file.hpp"
 #include "apps/study/study_values.hpp"
-#include "apps/system/text_file.hpp"
+#include "apps/system/files.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {

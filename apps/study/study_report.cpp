@@ -1,20 +1,25 @@
 #include "apps/study/study_report.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
+#include <set>
 
-#include "apps/run/energy_note.hpp"
-#include "apps/job/job.hpp"
-#include "apps/text/html.hpp"
-#include "apps/report/load_words.hpp"
+#include "apps/drawing/drawing_files.hpp"
 #include "apps/drawing/picture_parts.hpp"
-#include "apps/drawing/png.hpp"
+#include "apps/job/job.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_words.hpp"
-#include "apps/text/text.hpp"
+#include "apps/run/run_remarks.hpp"
+#include "apps/statistics/influences.hpp"
+#include "apps/statistics/statistics.hpp"
 #include "apps/study/study_charts.hpp"
-#include "apps/system/text_file.hpp"
+#include "apps/study/study_sections.hpp"
+#include "apps/study/study_values.hpp"
+#include "apps/system/files.hpp"
+#include "apps/text/figures.hpp"
+#include "apps/text/markup.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {
@@ -121,6 +126,156 @@ void write_study_report(const StudyFolder& folder, const Study& study, const std
         output::png_of(crack_drawing(results.cracks, *record.mask), picture_scale, paper_margin));
   mpm::replace_file(folder.file("report.html").string(),
                     study_html(record, read_text_file(folder.file("study.toml").string())));
+}
+
+}  // namespace app
+
+// Sections on what the results depend on.
+
+namespace app {
+namespace {
+
+using output::rounded;
+using output::section;
+
+constexpr std::size_t least_members = 8;  ///< for a sensitivity
+constexpr std::size_t most_charts = 6;
+constexpr double good_fit = 0.5;  ///< share of the variance below which a law explains little
+
+/// Pairs of a parameter and a figure, of the members that are done.
+struct Pairs {
+  std::vector<double> x, y;
+};
+
+/// @param i  of the parameter; words are numbered in the order of their levels.
+Pairs pairs_of(const StudyRecord& record, std::size_t i, const std::vector<double>& figure) {
+  const StudyParameter& parameter = record.study.plan.parameters[i];
+  Pairs pairs;
+  for (const Member& member : record.members) {
+    if (!std::isfinite(figure[member.number])) continue;
+    const Value& value = member.values[i];
+    const auto level = std::find(parameter.levels.begin(), parameter.levels.end(), value);
+    pairs.x.push_back(is_number(parameter) ? number_of(parameter, value)
+                                           : static_cast<double>(level - parameter.levels.begin()));
+    pairs.y.push_back(figure[member.number]);
+  }
+  return pairs;
+}
+
+std::string probability(double p) {
+  if (!std::isfinite(p)) return "\u2013";
+  return p < 0.001 ? "< 0.001" : rounded(p, 2);
+}
+
+std::vector<std::string> cells(const Pairs& pairs, bool ordered) {
+  const double r = ordered ? rank_correlation(pairs.x, pairs.y) : std::nan("");
+  const double index = first_order_index(pairs.x, pairs.y);
+  return {std::isfinite(r) ? rounded(r, 2) : "\u2013", probability(significance_of(r, pairs.x.size())),
+          std::isfinite(index) ? rounded(index, 2) : "\u2013"};
+}
+
+bool has_levels(const StudyParameter& parameter) {
+  return parameter.is_range() || parameter.levels.size() > 1;
+}
+
+/// Peak stress against each of the first parameters that are numbers, two beside each other.
+std::string influence_charts(const StudyRecord& record) {
+  std::vector<std::string> charts;
+  const auto& parameters = record.study.plan.parameters;
+  for (std::size_t i = 0; i < parameters.size() && charts.size() < most_charts; ++i) {
+    if (!has_levels(parameters[i]) || !is_number(parameters[i])) continue;
+    Pairs pairs = pairs_of(record, i, record.results.peak_stress());
+    const ReadableUnit unit = readable_unit(parameters[i]);
+    for (double& x : pairs.x) x *= unit.per_si;
+    for (double& y : pairs.y) y *= 1e-6;
+    charts.push_back(
+        output::chart_figure(influence_chart(pairs.x, pairs.y, {parameters[i].name, unit.name, false, true},
+                                             {"Peak stress", "MPa"}),
+                             480, 300, ""));
+  }
+  std::string html;
+  for (std::size_t i = 0; i < charts.size(); i += 2)
+    html += output::side_by_side("even", charts[i], i + 1 < charts.size() ? charts[i + 1] : "");
+  return html;
+}
+
+std::string sensitivity_table(const StudyRecord& record, const std::string& name,
+                              const std::vector<double>& figure) {
+  std::vector<std::vector<std::string>> rows;
+  const auto& parameters = record.study.plan.parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!has_levels(parameters[i])) continue;
+    rows.push_back({parameters[i].name});
+    for (std::string& cell : cells(pairs_of(record, i, figure), is_number(parameters[i])))
+      rows.back().push_back(std::move(cell));
+  }
+  return output::number_table({name, "Rank correlation", "p", "First-order index"}, rows);
+}
+
+constexpr const char* sensitivity_caption =
+    "Rank correlation: 1 where the figure rises whenever the parameter does, -1 where it falls (Spearman). "
+    "p: how "
+    "often members without any dependence have a correlation of at least that amount. First-order index: "
+    "share of "
+    "the variance that the parameter explains on its own (Sobol), estimated from these members; near 0, and "
+    "now "
+    "and then below it, for one without influence. What the indices lack to 1 is the random numbers, and "
+    "parameters that act together.";
+
+/// The parameter that is the size, where one is: of width and height, or of one of them.
+const StudyParameter* size_of(const StudyPlan& plan, std::size_t& place) {
+  for (std::size_t i = 0; i < plan.parameters.size(); ++i)
+    for (const Field& field : plan.parameters[i].fields)
+      if ((field.key == "generate.width" || field.key == "generate.height") &&
+          is_number(plan.parameters[i])) {
+        place = i;
+        return &plan.parameters[i];
+      }
+  return nullptr;
+}
+
+std::string verdict(const SizeEffect& fit) {
+  if (fit.bounded || !(fit.determination > 0))
+    return "The members show no size at which plasticity gives way to fracture: the law fits nowhere "
+           "between, so "
+           "neither of its parameters means much.";
+  if (fit.determination < good_fit)
+    return "The law explains less than half of the variance of the peaks: take its parameters with care.";
+  return "The law explains most of the variance of the peaks.";
+}
+
+}  // namespace
+
+std::string sensitivity_section(const StudyRecord& record) {
+  const auto& parameters = record.study.plan.parameters;
+  if (record.results.count(MemberState::done) < least_members ||
+      std::none_of(parameters.begin(), parameters.end(), has_levels))
+    return "";
+  return section("Sensitivities",
+                 influence_charts(record) +
+                     sensitivity_table(record, "Peak stress", record.results.peak_stress()) +
+                     sensitivity_table(record, "Strain at the peak", record.results.peak_strain()) +
+                     "<div class=\"remarks\">\n" + output::paragraph(sensitivity_caption) + "</div>\n");
+}
+
+std::string size_section(const StudyRecord& record) {
+  std::size_t place = 0;
+  if (size_of(record.study.plan, place) == nullptr) return "";
+  const Pairs pairs = pairs_of(record, place, record.results.peak_stress());
+  if (std::set<double>(pairs.x.begin(), pairs.x.end()).size() < 2) return "";
+  const SizeEffect fit = fit_size_effect(pairs.x, pairs.y);
+  const std::string facts =
+      output::facts_table({{"Strength of small specimens, B f", rounded(1e-6 * fit.plastic), "MPa"},
+                           {"Transition size D", rounded(1e3 * fit.transition), "mm"},
+                           {"Variance explained", output::percent(fit.determination)}});
+  return section("Size effect",
+                 output::side_by_side(
+                     "lead",
+                     output::chart_figure(size_chart(pairs.x, pairs.y, fit), 590, 400,
+                                          "Ba\u017eant's law, strength = B f / sqrt(1 + size / D), by least "
+                                          "squares. " +
+                                              verdict(fit)),
+                     facts));
 }
 
 }  // namespace app

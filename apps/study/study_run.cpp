@@ -1,24 +1,101 @@
 #include "apps/study/study_run.hpp"
 
 #include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
 #include <map>
 #include <mutex>
 #include <new>
 #include <optional>
+#include <system_error>
+#include <utility>
 
-#include "apps/system/hdf5_turn.hpp"
-#include "apps/system/job_pool.hpp"
-#include "apps/study/member_checkpoints.hpp"
-#include "apps/job/scene_builder.hpp"
+#include "apps/job/job.hpp"
 #include "apps/job/specimen_source.hpp"
-#include "apps/study/study_specimens.hpp"
-#include "libmpm/scene/error.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "apps/system/hdf5_files.hpp"
+#include "apps/system/job_pool.hpp"
 #include "libmpm/files/result_file.hpp"
+#include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
 
 namespace app {
+namespace {
+
+using Shared = std::shared_ptr<const specimen::Specimen>;
+
+std::string key_of(const Settings& settings) {
+  return std::to_string(settings.scene.points_per_cell) + scene_text(settings, Extent::specimen, {});
+}
+
+Shared make(const Settings& settings) {
+  const Hdf5Turn turn = source_of(settings) == Source::file ? hdf5_turn() : Hdf5Turn();
+  return std::make_shared<const specimen::Specimen>(prepare_cells(settings).specimen);
+}
+
+}  // namespace
+
+Shared SpecimenStore::of(const Settings& settings) {
+  std::promise<Shared> promise;
+  std::string key = key_of(settings);
+  std::unique_lock lock(mutex_);
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; });
+  if (found != entries_.end()) {
+    Entry entry = std::move(*found);
+    entries_.erase(found);
+    entries_.push_back(entry);
+    lock.unlock();
+    return entry.made.get();
+  }
+  Made made = promise.get_future().share();
+  entries_.push_back({std::move(key), made});
+  if (entries_.size() > capacity_) entries_.pop_front();
+  lock.unlock();
+  try {
+    promise.set_value(make(settings));
+  } catch (...) {
+    promise.set_exception(std::current_exception());
+  }
+  return made.get();
+}
+
+namespace {
+
+constexpr double interval = 60;  // [s]
+
+}  // namespace
+
+mpm::Result MemberCheckpoints::run(const mpm::Scene& scene, const mpm::Observer& observer) {
+  mpm::RunHooks hooks;
+  hooks.observer = observer;
+  hooks.checkpoints = {[this](const mpm::Checkpoint& checkpoint) { keep(checkpoint); }, interval};
+  const CheckpointFolder::Found found = folder_.last();
+  if (found.last && found.last->file.scene_text == scene_text_) try {
+      return mpm::resume(scene, found.last->file.checkpoint, hooks);
+    } catch (const mpm::FileError&) {  // no checkpoint for this machine; those of the hooks throw nothing
+    }
+  remove();  // of another run, behind which those of this one would count as old
+  return mpm::simulate(scene, hooks);
+}
+
+void MemberCheckpoints::keep(const mpm::Checkpoint& checkpoint) {
+  try {
+    folder_.write(checkpoint, scene_text_, "");
+  } catch (const mpm::FileError&) {  // the one before stays
+  }
+}
+
+void MemberCheckpoints::remove() const {
+  std::error_code ignored;
+  try {
+    folder_.remove();
+  } catch (const mpm::FileError&) {
+    return;
+  }
+  std::filesystem::remove(path_, ignored);  // once it is empty
+}
+
 namespace {
 
 std::string reason_of(const Rejected& rejected) { return text(rejected.complaints.front()); }

@@ -1,13 +1,71 @@
+/// Specimens that the members of a study share.
+/// Members of a study that end early go on where they were.
 /// Members of a study, run side by side.
 #pragma once
 
 #include <cstddef>
+#include <deque>
+#include <filesystem>
 #include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "apps/run/checkpoint_folder.hpp"
+#include "apps/settings/settings.hpp"
 #include "apps/study/study_folder.hpp"
+#include "libmpm/run/simulate.hpp"
+#include "specimen/body/specimen.hpp"
 
 namespace app {
+
+/// Makes each specimen once for all members that follow each other with the same settings of it. May be
+/// asked by several threads at once.
+class SpecimenStore {
+ public:
+  /// @param capacity  specimens kept at a time, >= 1: those that were asked for last.
+  explicit SpecimenStore(std::size_t capacity) : capacity_(capacity) {}
+
+  /// The specimen of settled settings, cropped to whole cells.   @throws what prepare_cells() throws.
+  [[nodiscard]] std::shared_ptr<const specimen::Specimen> of(const Settings& settings);
+
+ private:
+  using Made = std::shared_future<std::shared_ptr<const specimen::Specimen>>;
+  struct Entry {
+    std::string key;
+    Made made;
+  };
+
+  std::size_t capacity_;
+  std::mutex mutex_;
+  std::deque<Entry> entries_;  ///< asked for last: at the back
+};
+
+/// The checkpoints of one member: once a minute, and when the observer ends its run. They are a convenience:
+/// one that cannot be written is left out, and one that cannot be gone on from (damaged, of another scene, of
+/// an instruction set that the processor lacks) is passed over.
+class MemberCheckpoints {
+ public:
+  /// @param folder  of the member alone.   @param scene_text  what its result depends on.
+  MemberCheckpoints(std::filesystem::path folder, std::string scene_text)
+      : path_(std::move(folder)), folder_(path_), scene_text_(std::move(scene_text)) {}
+
+  /// From the last checkpoint, or from the start where there is none.   @throws what mpm::simulate() throws.
+  [[nodiscard]] mpm::Result run(const mpm::Scene& scene, const mpm::Observer& observer);
+
+  /// All of them, once the result is kept. What cannot be removed stays.
+  void remove() const;
+
+ private:
+  void keep(const mpm::Checkpoint& checkpoint);
+
+  std::filesystem::path path_;
+  CheckpointFolder folder_;
+  std::string scene_text_;
+};
 
 /// How far the runs are.
 struct StudyTally {

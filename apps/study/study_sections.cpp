@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include "apps/text/words.hpp"
 
-#include "apps/statistics/confidence.hpp"
-#include "apps/report/load_words.hpp"
+#include "apps/drawing/ticks.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_words.hpp"
-#include "apps/drawing/strain_unit.hpp"
-#include "apps/text/text.hpp"
 #include "apps/statistics/statistics.hpp"
 #include "apps/study/study_charts.hpp"
 #include "apps/study/study_values.hpp"
+#include "apps/text/figures.hpp"
 
 namespace app {
 namespace {

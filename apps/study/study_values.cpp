@@ -1,14 +1,16 @@
 #include "apps/study/study_values.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <numbers>
 
+#include "apps/scene/toml.hpp"
 #include "apps/text/text_parts.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {
@@ -106,6 +108,115 @@ ReadableUnit readable_unit(const StudyParameter& parameter) {
 std::string unit_of(const StudyParameter& parameter) {
   const Measure* measure = measure_of(parameter);
   return measure == nullptr ? "1" : si_unit(measure->dimension);
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 5> spread_keys{"from", "to", "steps", "low", "high"};
+constexpr const char* forms =
+    "must be a list [1, 2, 3], equal steps {from = 1, to = 3, steps = 5} or a range {low = 1, high = 3}";
+
+/// Refused by a field, the value is named.
+void try_on(const StudyParameter& parameter, const Value& value) {
+  for (const Field& field : parameter.fields) {
+    Settings settings;
+    try {
+      field.set(settings, value);
+    } catch (const Mistake& mistake) {
+      throw Mistake(toml_text(value) + ": " + mistake.allowed, mistake.cure);
+    }
+  }
+}
+
+Value relative_to(const std::string& folder, const Value& value) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text == nullptr || text->empty()) return value;
+  return {(std::filesystem::path(folder) / *text).lexically_normal().string()};
+}
+
+void read_list(const toml::array& array, StudyParameter& parameter) {
+  for (const toml::node& node : array) {
+    std::optional<Value> value = value_of(node);
+    if (!value) throw Mistake("a table or a date in the list", forms);
+    if (parameter.fields.front().kind == Kind::path) value = relative_to(parameter.folder, *value);
+    try_on(parameter, *value);
+    if (std::find(parameter.levels.begin(), parameter.levels.end(), *value) != parameter.levels.end())
+      throw Mistake(toml_text(*value) + " stands there twice", "remove one");
+    parameter.levels.push_back(std::move(*value));
+  }
+  if (parameter.levels.empty()) throw Mistake("no value in the list", forms);
+}
+
+void check_keys(const toml::table& table) {
+  for (const auto& [key, node] : table)
+    if (!is_spread_key(key.str())) {
+      const std::string name(key.str());
+      const std::string meant = did_you_mean(name, {spread_keys.begin(), spread_keys.end()});
+      throw Mistake("unknown key " + printable(name), meant.empty() ? forms : meant);
+    }
+}
+
+/// A number of the table in SI units; whole numbers as they are.
+double number_at(const toml::table& table, const char* key, const StudyParameter& parameter) {
+  const std::optional<Value> value = value_of(*table.get(key));
+  if (!value) throw Mistake(std::string(key) + ": a table or a date", forms);
+  const Measure* measure = measure_of(parameter);
+  try {
+    if (measure == nullptr) return static_cast<double>(WholeNumber().read(*value));
+    return Quantity{measure->dimension, measure->bounds, {}}.read(*value);
+  } catch (const Mistake& mistake) {
+    throw Mistake(std::string(key) + ": " + toml_text(*value) + ": " + mistake.allowed, mistake.cure);
+  }
+}
+
+void read_steps(const toml::table& table, StudyParameter& parameter) {
+  const double from = number_at(table, "from", parameter), to = number_at(table, "to", parameter);
+  const std::optional<Value> steps = value_of(*table.get("steps"));
+  if (!steps) throw Mistake("steps: a table or a date", forms);
+  const auto count = Integer<>{{between(2, 10'000), {}}}.read(*steps);
+  if (!(from != to)) throw Mistake("from and to are the same", "write a list of one value");
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    const double number = i == count - 1 ? to : from + share * (to - from);
+    if (measure_of(parameter) == nullptr && number != std::round(number))
+      throw Mistake(fmt::format("{} steps from {} to {} are no whole numbers", count, from, to),
+                    "choose other steps, or list the values");
+    parameter.levels.push_back(written(parameter, number));
+    try_on(parameter, parameter.levels.back());
+  }
+}
+
+void read_range(const toml::table& table, StudyParameter& parameter) {
+  if (measure_of(parameter) == nullptr)
+    throw Mistake("a range is for quantities", "list the values: they are sampled evenly");
+  parameter.low = number_at(table, "low", parameter);
+  parameter.high = number_at(table, "high", parameter);
+  if (!(parameter.low < parameter.high)) throw Mistake("low must be less than high");
+  for (const double end : {parameter.low, parameter.high}) try_on(parameter, written(parameter, end));
+}
+
+}  // namespace
+
+bool is_spread_key(std::string_view key) {
+  return std::find(spread_keys.begin(), spread_keys.end(), key) != spread_keys.end();
+}
+
+void read_values(const toml::node& node, StudyParameter& parameter) {
+  if (const toml::array* array = node.as_array()) return read_list(*array, parameter);
+  const toml::table* table = node.as_table();
+  if (table == nullptr) throw Mistake(forms);
+  check_keys(*table);
+  const auto has_only = [&](std::initializer_list<const char*> keys) {
+    return table->size() == keys.size() &&
+           std::all_of(keys.begin(), keys.end(), [&](const char* key) { return table->contains(key); });
+  };
+  const bool steps = has_only({"from", "to", "steps"});
+  if (!steps && !has_only({"low", "high"})) throw Mistake(forms);
+  if (!takes_numbers(parameter)) throw Mistake("steps and ranges are for numbers", "list the values");
+  if (steps)
+    read_steps(*table, parameter);
+  else
+    read_range(*table, parameter);
 }
 
 }  // namespace app

@@ -1,7 +1,10 @@
 /// The values that a parameter of a study takes.
+/// How a study file says which values a parameter takes.
 #pragma once
 
+#include <toml++/toml.h>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/study/study.hpp"
@@ -43,5 +46,13 @@ struct ReadableUnit {
 
 /// "Pa"; "1" for numbers without a unit.
 [[nodiscard]] std::string unit_of(const StudyParameter& parameter);
+
+/// Whether a key is one of those that say how values spread: from, to, steps, low, high.
+[[nodiscard]] bool is_spread_key(std::string_view key);
+
+/// Read a list [1, 2, 3], equal steps {from, to, steps} or a range {low, high} into the parameter, whose
+/// fields are known, and try each value on all of them.
+/// @throws Mistake.
+void read_values(const toml::node& node, StudyParameter& parameter);
 
 }  // namespace app

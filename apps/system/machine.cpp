@@ -12,11 +12,11 @@
 #include <sstream>
 #include <system_error>
 
-#include "apps/text/complaint.hpp"
 #include "apps/system/job_pool.hpp"
+#include "apps/text/complaint.hpp"
 #include "apps/text/text_parts.hpp"
-#include "libmpm/solver/idle_cores.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
+#include "libmpm/solver/threads.hpp"
 
 namespace app {
 namespace {

@@ -1,4 +1,4 @@
-#include "apps/system/machine_peak.hpp"
+#include "apps/system/machine.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,6 @@
 #include "apps/system/terminal.hpp"
 
 #include <unistd.h>
-
 #include <cctype>
 #include <cstdlib>
 #include <sstream>
@@ -57,6 +56,22 @@ std::string with_headings(const std::string& help, bool coloured) {
     made += (heading ? bold + line + plain : line) + "\n";
   }
   return made;
+}
+
+namespace {
+
+constexpr std::size_t longest = 79;
+
+}  // namespace
+
+void TerminalLine::show(const std::string& text) {
+  if (!enabled_) return;
+  terminal_ << wipe_line << text.substr(0, longest) << std::flush;
+  drawn_ = true;
+}
+
+TerminalLine::~TerminalLine() {
+  if (drawn_) terminal_ << wipe_line << std::flush;
 }
 
 }  // namespace app

@@ -1,7 +1,13 @@
 /// What a terminal can show, by what the environment says of it.
+/// One line on the terminal that is written over and over.
+/// Where the program writes to, and how it words what it says.
 #pragma once
 
+#include <functional>
+#include <ostream>
 #include <string>
+
+#include "apps/text/complaint.hpp"
 
 namespace app {
 
@@ -33,5 +39,39 @@ struct TerminalEnvironment {
 
 /// A help whose headings stand out, where that is wanted: lines that begin with a letter and end with ":".
 [[nodiscard]] std::string with_headings(const std::string& help, bool coloured);
+
+inline constexpr const char* wipe_line = "\r\x1b[K";  ///< and go back to its beginning
+
+/// Wiped at the end. Texts are cut to 79 letters, since a line that is broken cannot be wiped.
+class TerminalLine {
+ public:
+  TerminalLine(std::ostream& terminal, bool enabled) : terminal_(terminal), enabled_(enabled) {}
+  ~TerminalLine();
+  TerminalLine(const TerminalLine&) = delete;
+  TerminalLine& operator=(const TerminalLine&) = delete;
+
+  void show(const std::string& text);
+
+ private:
+  std::ostream& terminal_;
+  bool enabled_;
+  bool drawn_ = false;
+};
+
+/// Results go to `out`, everything said to a person to `err`.
+struct Console {
+  std::ostream& out;
+  std::ostream& err;
+  bool err_is_terminal = false;  ///< then a progress line may be drawn
+  bool quiet = false;            ///< only errors
+  Locate locate;                 ///< where the user set what a library complains of; may be empty
+  bool err_is_coloured = false;
+  bool out_is_coloured = false;
+
+  /// One line or more, unless quiet; whatever the terminal would obey is taken out.
+  void say(const std::string& line) {
+    if (!quiet) err << printable_lines(line) << '\n' << std::flush;
+  }
+};
 
 }  // namespace app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -47,6 +48,9 @@ inline constexpr std::size_t most_complaints = 100;
 /// A complaint about the command line, or about something that has no place in a file.
 [[nodiscard]] Complaint complaint(std::string field, std::string value, std::string allowed,
                                   std::string cure = {});
+
+/// Gives a complaint about a field the place where the user set it.
+using Locate = std::function<Complaint(Complaint)>;
 
 /// The command was refused: every complaint there is, and the exit code.
 struct Rejected : std::runtime_error {

@@ -1,8 +1,12 @@
 /// Quantities with units as people write them: "0.5 mm", "20 GPa", "50 deg", "45 %".
+/// The shortest decimal text of a double.
+/// A value of a setting as scene files hold it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace app {
@@ -34,5 +38,21 @@ enum class Dimension { ratio, length, area, pressure, angle, velocity, density, 
 
 /// Whether a unit of this name measures the dimension.
 [[nodiscard]] bool is_unit(std::string_view unit, Dimension dimension);
+
+/// The shortest text that reads back to the same double; "0.0004", "2e-7", "nan".
+[[nodiscard]] std::string format_number(double value);
+
+/// The text of a finite value times ten to the `shift`, with the digits of the value: nothing is rounded.
+[[nodiscard]] std::string format_shifted(double value, int shift);
+
+/// Quantities are texts ("0.05 m/s"); a list holds values of one kind.
+struct Value {
+  using List = std::vector<Value>;
+  std::variant<bool, std::int64_t, double, std::string, List> data;
+  friend bool operator==(const Value&, const Value&) = default;
+};
+
+/// As TOML writes it, on one line.
+[[nodiscard]] std::string toml_text(const Value& value);
 
 }  // namespace app

@@ -1,4 +1,5 @@
 /// Twins of one original, made, measured and written side by side.
+/// What twins are asked for, as texts, and the task that it makes of an original.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "apps/settings/offer.hpp"
 #include "apps/settings/settings.hpp"
 #include "specimen/describe/misfit.hpp"
-#include "specimen/picture/picture.hpp"
 #include "specimen/describe/twin.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace app {
 
@@ -50,5 +52,26 @@ inline constexpr std::size_t pictured_twins = 5;
 
 /// Descriptors of all twins.
 [[nodiscard]] std::vector<specimen::Descriptors> descriptors_of(const std::vector<TwinRecord>& twins);
+
+/// Options of twin; empty = not given.
+struct TwinWish {
+  std::string count = "10";
+  std::string seed = "1";
+  std::string width;
+  std::string height;
+  std::string pixel_size;
+  std::string gap = "auto";
+  std::string border = "auto";
+};
+
+/// @throws Rejected (Exit::usage).
+[[nodiscard]] specimen::TwinOptions twin_options(const TwinWish& wish);
+
+/// @param input  path of the original: twins are called after its stem.   @param itz  of the twins.
+/// @throws Rejected for a wish that cannot be read and for an original that tells of no inclusions;
+/// specimen::Error.
+[[nodiscard]] TwinTask make_twin_task(const TwinWish& wish, const std::string& input,
+                                      const Settings& settings, const specimen::ItzOptions& itz,
+                                      specimen::Specimen original);
 
 }  // namespace app

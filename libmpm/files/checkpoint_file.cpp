@@ -7,10 +7,10 @@
 #include <string_view>
 #include <system_error>
 
-#include "libmpm/solver/archive.hpp"
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/replace_file.hpp"
-#include "libmpm/solver/sha256.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/solver/archive.hpp"
+#include "libmpm/solver/checkpoint.hpp"
 
 namespace mpm {
 namespace {

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/frame_file.hpp"
 #include "libmpm/files/hdf5_read.hpp"
+#include "libmpm/scene/error.hpp"
 
 namespace mpm {
 namespace {

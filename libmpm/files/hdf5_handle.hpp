@@ -3,7 +3,6 @@
 #pragma once
 
 #include <hdf5.h>
-
 #include <cstdint>
 #include <exception>
 #include <stdexcept>

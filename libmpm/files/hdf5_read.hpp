@@ -1,3 +1,4 @@
+/// A look at the part of an HDF5 file that has no checksum. Not installed: private to hdf5_read.
 /// How whole files, attributes and datasets are read. Not installed: private to result_file*, frame_file*.
 ///
 /// Nothing that a file claims is believed: what is read has the type and the axes that are asked for, lies in
@@ -10,6 +11,12 @@
 #include "libmpm/files/hdf5_handle.hpp"
 
 namespace mpm::hdf5 {
+
+/// Whether the lengths in every global heap of a file are right. Texts of any length lie in such heaps, and
+/// the sources of virtual datasets. HDF5 1.10 goes through a heap with wrong lengths without an end, or
+/// beyond its end, as soon as an attribute or a dataset that needs it is opened.
+/// @return true for a file that cannot be read: opening it says why.
+[[nodiscard]] bool heaps_are_sound(const std::string& path);
 
 /// @throws Fault when it is no file, none of HDF5, or one that HDF5 would not get through.
 [[nodiscard]] Handle open_file(const std::string& path);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/hdf5_write.hpp"
-#include "libmpm/scene/history_columns.hpp"
 #include "libmpm/files/replace_file.hpp"
 #include "libmpm/files/result_file_hdf5.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/scene/result.hpp"
 
 namespace mpm {
 namespace {

@@ -1,8 +1,8 @@
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/hdf5_read.hpp"
-#include "libmpm/scene/history_columns.hpp"
 #include "libmpm/files/result_file.hpp"
 #include "libmpm/files/result_file_hdf5.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/scene/result.hpp"
 
 namespace mpm {
 namespace {

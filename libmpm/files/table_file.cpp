@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/hdf5_write.hpp"
 #include "libmpm/files/replace_file.hpp"
+#include "libmpm/scene/error.hpp"
 
 namespace mpm {
 namespace {

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "libmpm/kernels/kernels.hpp"
+#include "libmpm/kernels/lattice_kernels.hpp"
 
 namespace mpm::moving {
 

@@ -1,4 +1,5 @@
 /// How a problem is solved with moving points, and what that took.
+/// Soft bodies of moving points, thrown or driven, and sums over their points.
 #pragma once
 
 #include <chrono>
@@ -6,8 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/solver/ledger.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/failure_maps.hpp"
+#include "libmpm/solver/moving/moving_solver.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace mpm::problems {
 
@@ -54,5 +57,65 @@ class Meter {
   std::int64_t points_;
   Cost cost_;
 };
+
+inline constexpr std::uint8_t soft = 1;  ///< label of the material of soft_body()
+
+/// A rectangle of a soft elastic material in which waves run at 100 m/s (nu = 0) or a little faster, so that
+/// bodies can be thrown, turned and squeezed within few steps. Young's modulus 10 MPa, density 1000 kg/m^3.
+[[nodiscard]] Scene soft_body(int rows, int cols, double pixel_size, double poisson = 0);
+
+/// Leaves only the pixels whose centre lies in the disc; places in pixels from the lower left corner.
+void keep_disc(Scene& scene, double x, double y, double radius);
+
+/// Adds `count` points of a phase at irregular places that do not depend on anything else.
+void add_irregular_points(Scene& scene, int count, std::uint8_t phase = soft);
+
+/// Place in the picture [m].
+struct Place {
+  double x = 0, y = 0;
+};
+
+/// Where the point of a pixel, or an extra point, is before anything moves.
+[[nodiscard]] Place rest_place(const Scene& scene, std::uint32_t id);
+
+/// A scene with its plan and its solver.
+template <class Real = double>
+struct Moving {
+  Scene scene;
+  Plan plan;
+  MovingSolver<Real> solver;
+  Meter meter;
+
+  explicit Moving(Scene what)
+      : scene(std::move(what)),
+        plan(mpm::plan(scene)),
+        solver(scene, plan, start_of(scene, plan)),
+        meter(count_points(scene)) {}
+  Moving(const Moving&) = delete;
+  Moving& operator=(const Moving&) = delete;
+
+  Ledger advance(std::int64_t steps) { return meter.advance(solver, steps); }
+  [[nodiscard]] Place rest_place(std::uint32_t id) const { return problems::rest_place(scene, id); }
+};
+
+/// Sums over all points.
+struct Sums {
+  double mass = 0, volume = 0;
+  double px = 0, py = 0;  ///< momentum [kg/s]
+  double spin = 0;        ///< angular momentum about the corner of the picture [kg m/s]
+  double kinetic = 0;     ///< [J/m]
+};
+[[nodiscard]] Sums sums_of(const std::vector<PointView>& points);
+template <class Real>
+[[nodiscard]] Sums sums_of(const MovingSolver<Real>& solver) {
+  return sums_of(solver.points());
+}
+
+/// Calls `solve` with a number of the precision that the method asks for.
+template <class Solve>
+auto in_precision(const Method& method, const Solve& solve) {
+  if (method.precision == Precision::single) return solve(float());
+  return solve(double());
+}
 
 }  // namespace mpm::problems

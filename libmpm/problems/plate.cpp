@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "libmpm/problems/method.hpp"
 #include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "libmpm/solver/moving/moving_solver.hpp"
-#include "libmpm/problems/moving_body.hpp"
 
 namespace mpm::problems {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/material/failure.hpp"
 #include "libmpm/problems/method.hpp"
 #include "libmpm/scene/scene.hpp"
-#include "libmpm/material/stress.hpp"
 
 namespace mpm::problems {
 

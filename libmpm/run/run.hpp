@@ -7,13 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "libmpm/solver/archive.hpp"
-#include "libmpm/run/divergence.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
-#include "libmpm/solver/plan.hpp"
-#include "libmpm/run/run_frames.hpp"
+#include "libmpm/run/hooks.hpp"
 #include "libmpm/run/run_history.hpp"
-#include "libmpm/run/simulate.hpp"
+#include "libmpm/solver/archive.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace mpm {
 

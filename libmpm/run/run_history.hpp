@@ -1,12 +1,36 @@
+/// What is said of a run whose physics went wrong.
 /// What a run writes down at each row of its history, and what the rows tell of it.
+/// The frames of a run: when which one is due.
 #pragma once
 
-#include "libmpm/solver/ledger.hpp"
-#include "libmpm/solver/plan.hpp"
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "libmpm/scene/result.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/checkpoint.hpp"
+#include "libmpm/solver/failure_maps.hpp"
+#include "libmpm/solver/frame.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace mpm {
+
+/// What was seen, when and where.
+struct Divergence {
+  std::string what = {};   ///< "energy grows without work"
+  std::int64_t step = 0;   ///< number of the step
+  double time = 0;         ///< [s]
+  double dt = 0;           ///< of the step [s]
+  std::string point = {};  ///< where it is worst, by name with its phase; empty = nowhere in particular
+  bool moving = false;     ///< the points move
+};
+
+/// What was seen with step, time and point, the likely cause and the cure: with a solver.cfl that is safe
+/// where one is known.
+[[nodiscard]] std::string divergence_text(const Scene& scene, const Plan& plan, const Divergence& divergence);
 
 /// The row of a specimen that nothing has happened to yet.
 [[nodiscard]] HistoryRow first_row(const Scene& scene, const Plan& plan);
@@ -25,5 +49,49 @@ void add_row(Result& result, const HistoryRow& row);
 
 /// Says how well the energies of the history add up.
 void close_ledger(Result& result);
+
+/// It costs a comparison a row where nobody asked for any.
+class RunFrames {
+ public:
+  /// The sink must outlive this.
+  RunFrames(const Scene& scene, const FrameSink& sink) : count_(sink ? scene.frames : 0), sink_(sink) {}
+
+  /// At the start and at every row of the history. @param done  share of the run [-].
+  template <class Solver>
+  void offer(const Solver& solver, double done, std::size_t row) {
+    if (count_ > 0 && done * count_ >= due_) take(solver, row);
+    due_ = std::max(due_, std::floor(done * count_) + 1);
+  }
+  /// At the end: the last row, unless it was a frame.
+  template <class Solver>
+  void close(const Solver& solver, std::size_t row) {
+    if (count_ > 0 && frame_.row != static_cast<std::int64_t>(row)) take(solver, row);
+  }
+
+  [[nodiscard]] const std::vector<FrameTaken>& taken() const { return taken_; }
+
+  /// When the next one is due, for the archive of a run.
+  template <class Archive, class Self>
+  static void pass(Archive& archive, Self& self) {
+    archive.finite(self.due_);
+    archive.whole(self.frame_.row, 0, std::int64_t{1} << 62);
+    archive.list(self.taken_);
+  }
+
+ private:
+  template <class Solver>
+  void take(const Solver& solver, std::size_t row) {
+    solver.fill(frame_);
+    frame_.row = static_cast<std::int64_t>(row);
+    sink_(frame_);
+    taken_.push_back({frame_.time, static_cast<std::int64_t>(frame_.points.size())});
+  }
+
+  int count_;
+  const FrameSink& sink_;
+  double due_ = 0;  ///< number of the next frame
+  Frame frame_;
+  std::vector<FrameTaken> taken_;
+};
 
 }  // namespace mpm

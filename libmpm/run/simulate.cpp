@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "libmpm/run/run.hpp"
 #include "libmpm/scene/error.hpp"
 #include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "libmpm/solver/moving/moving_solver.hpp"
 #include "libmpm/solver/plan.hpp"
-#include "libmpm/run/run.hpp"
 
 namespace mpm {
 namespace {

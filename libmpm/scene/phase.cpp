@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libmpm/scene/faults.hpp"
-#include "libmpm/scene/require.hpp"
+#include "libmpm/scene/error.hpp"
 
 namespace mpm {
 Eigen::Matrix3d stiffness(const Phase& phase, Plane plane) {

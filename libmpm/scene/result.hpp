@@ -1,12 +1,15 @@
 /// What a run leaves behind.
+/// The history as a table: names, units and meanings of its columns, said once for every file that holds it.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
-#include "libmpm/scene/lattice.hpp"
+#include "libmpm/scene/phase.hpp"
 
 namespace mpm {
 
@@ -75,5 +78,16 @@ struct Result {
     return wall_time > 0 ? static_cast<double>(points) * static_cast<double>(steps) / wall_time : 0;
   }
 };
+
+/// A column of the history, either of measured values or of counts.
+struct HistoryColumn {
+  std::string_view name;     ///< as the member of HistoryRow
+  std::string_view unit;     ///< SI; "1" = without
+  std::string_view meaning;  ///< one line
+  std::variant<double HistoryRow::*, std::int64_t HistoryRow::*> member;
+};
+
+/// All columns, in the order of HistoryRow.
+[[nodiscard]] const std::array<HistoryColumn, 15>& history_columns();
 
 }  // namespace mpm

@@ -6,8 +6,6 @@
 #include <string>
 
 #include "libmpm/scene/error.hpp"
-#include "libmpm/scene/faults.hpp"
-#include "libmpm/scene/require.hpp"
 
 namespace mpm {
 namespace {

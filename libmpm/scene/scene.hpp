@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/scene/lattice.hpp"
 #include "libmpm/scene/phase.hpp"
 
 namespace mpm {

@@ -1,9 +1,44 @@
 #include "libmpm/solver/checkpoint.hpp"
 
+#include <openssl/evp.h>
+#include <new>
+#include <stdexcept>
+
 #include "libmpm/solver/archive.hpp"
-#include "libmpm/solver/sha256.hpp"
 
 namespace mpm {
+namespace {
+
+void require(int ok) {
+  if (ok != 1) throw std::runtime_error("OpenSSL offers no SHA-256 here");
+}
+
+}  // namespace
+
+struct Sha256::Context {
+  EVP_MD_CTX* openssl = EVP_MD_CTX_new();
+};
+
+void Sha256::Free::operator()(Context* context) const {
+  EVP_MD_CTX_free(context->openssl);
+  delete context;  // NOLINT(cppcoreguidelines-owning-memory)
+}
+
+Sha256::Sha256() : context_(new Context) {
+  if (context_->openssl == nullptr) throw std::bad_alloc();
+  require(EVP_DigestInit_ex(context_->openssl, EVP_sha256(), nullptr));
+}
+
+Sha256& Sha256::add(std::string_view bytes) {
+  require(EVP_DigestUpdate(context_->openssl, bytes.data(), bytes.size()));
+  return *this;
+}
+
+std::string Sha256::digest() {
+  std::string digest(sha256_bytes, '\0');
+  require(EVP_DigestFinal_ex(context_->openssl, reinterpret_cast<unsigned char*>(digest.data()), nullptr));
+  return digest;
+}
 
 std::string specimen_digest(const Scene& scene) {
   ArchiveWriter archive;

@@ -1,14 +1,37 @@
+/// SHA-256, by which a checkpoint tells whether it is whole, and whose it is.
 /// A run as it stands after a row of its history, from which it goes on as if it had never stopped.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
 
 namespace mpm {
+
+inline constexpr std::size_t sha256_bytes = 32;
+
+/// One under way.
+class Sha256 {
+ public:
+  Sha256();
+  Sha256& add(std::string_view bytes);
+  /// The digest as 32 bytes; nothing may be added any more.
+  [[nodiscard]] std::string digest();
+
+ private:
+  struct Context;
+  struct Free {
+    void operator()(Context* context) const;
+  };
+  std::unique_ptr<Context, Free> context_;
+};
 
 /// A frame that a run has lent to its sink.
 struct FrameTaken {

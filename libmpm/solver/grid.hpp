@@ -4,9 +4,9 @@
 #include <cstddef>
 
 #include "libmpm/kernels/aligned.hpp"
-#include "libmpm/kernels/kernels.hpp"
-#include "libmpm/solver/plan.hpp"
+#include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace mpm {
 

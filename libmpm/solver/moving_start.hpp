@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "libmpm/material/failure.hpp"
-#include "libmpm/solver/plan.hpp"
-#include "libmpm/scene/result.hpp"
+#include "libmpm/material/strength.hpp"
 #include "libmpm/scene/scene.hpp"
-#include "libmpm/material/strength_field.hpp"
-#include "libmpm/material/stress.hpp"
+#include "libmpm/solver/failure_maps.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace mpm {
 
@@ -29,25 +28,6 @@ struct StartPoint {
 
   void take(const PointState& state);
 };
-
-/// Counts and energies so far.
-struct Tally {
-  double platen_work = 0;  ///< [J/m]
-  double released = 0;     ///< [J/m]
-  double damped = 0;       ///< [J/m]
-  std::int64_t tension_failures = 0, shear_failures = 0;
-};
-
-/// Where and when which point failed; see Result.
-struct FailureMaps {
-  Lattice<float> failure_strain, crush_strain;
-  Lattice<std::uint8_t> failure_mode;
-  std::vector<float> extra_failure_strain;
-  std::vector<std::uint8_t> extra_failure_mode;
-
-  void copy_to(Result& result) const;
-};
-[[nodiscard]] FailureMaps empty_maps(const Scene& scene, const Plan& plan);
 
 struct MovingStart {
   std::vector<StartPoint> points;

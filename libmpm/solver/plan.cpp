@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/scene/error.hpp"
-#include "libmpm/solver/idle_cores.hpp"
-#include "libmpm/scene/require.hpp"
-#include "libmpm/material/softening.hpp"
+#include "libmpm/material/failure.hpp"
 #include "libmpm/material/strength.hpp"
-#include "libmpm/material/strength_field.hpp"
+#include "libmpm/scene/error.hpp"
+#include "libmpm/solver/threads.hpp"
 
 namespace mpm {
 namespace {

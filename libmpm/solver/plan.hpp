@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "libmpm/kernels/kernels.hpp"
+#include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/kernels/moving_kernels.hpp"
 #include "libmpm/scene/scene.hpp"
 

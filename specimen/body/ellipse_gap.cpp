@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "specimen/body/plane.hpp"
+#include "specimen/body/mask.hpp"
 
 namespace specimen {
 namespace {

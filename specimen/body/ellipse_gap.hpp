@@ -9,7 +9,6 @@
 #pragma once
 
 #include "specimen/body/ellipse.hpp"
-#include "specimen/body/rotation.hpp"
 
 namespace specimen {
 

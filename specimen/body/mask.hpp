@@ -4,9 +4,13 @@
 /// the origin is the bottom left corner of the specimen. The centre of pixel (row, col) lies at
 ///   x = (col + 1/2) d,   y = (rows - row - 1/2) d,   d = pixel_size,
 /// so the bottom left pixel (rows - 1, 0) has its centre half a pixel inside both edges.
+/// Arithmetic of plane vectors.
+/// Connected pieces of a picture: pixels of one value that hang together.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,5 +58,35 @@ std::uint8_t label_of(std::vector<std::string>& phases, std::string_view name);
 
 /// Number of pixels per label, shape (phases.size()).
 [[nodiscard]] std::vector<std::int64_t> count_labels(const LabelledMask& mask);
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+inline Point operator+(Point p, Point q) { return {p.x + q.x, p.y + q.y}; }
+inline Point operator-(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
+inline Point operator*(double factor, Point p) { return {factor * p.x, factor * p.y}; }
+inline double dot(Point p, Point q) { return p.x * q.x + p.y * q.y; }
+/// Out-of-plane component of p x q; > 0 when q lies counter-clockwise of p.
+inline double cross(Point p, Point q) { return p.x * q.y - p.y * q.x; }
+inline double length(Point p) { return std::sqrt(dot(p, p)); }
+inline Point normalized(Point p) { return (1 / length(p)) * p; }
+/// p turned by 90 degrees counter-clockwise.
+inline Point turned_left(Point p) { return {-p.y, p.x}; }
+
+/// Which neighbours hang together.
+enum class Connectivity {
+  edges,    ///< the 4 that share an edge
+  corners,  ///< the 8 that share an edge or a corner
+};
+
+/// Pieces of equal value, numbered 0, 1, ... in the order in which they are met row by row.
+struct Components {
+  Raster<std::int32_t> piece;      ///< number of the piece per pixel
+  std::vector<std::int64_t> area;  ///< [px] per piece
+  [[nodiscard]] int count() const { return static_cast<int>(area.size()); }
+};
+
+[[nodiscard]] Components connected_pieces(const Raster<std::int32_t>& values, Connectivity connectivity);
+[[nodiscard]] Components connected_pieces(const Raster<std::uint8_t>& values, Connectivity connectivity);
 
 }  // namespace specimen

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
 
-#include "specimen/body/components.hpp"
+#include "specimen/body/mask.hpp"
 
 namespace specimen {
 namespace {
@@ -69,7 +70,7 @@ std::vector<Point> walk_round(const Raster<std::int32_t>& instances, Pixel start
   return middles;
 }
 
-double length_of(const std::vector<Point>& polygon) {
+double length_round(const std::vector<Point>& polygon) {
   double length = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point a = polygon[i], b = polygon[(i + 1) % polygon.size()];
@@ -115,7 +116,7 @@ std::vector<Inclusion> measure_inclusions(const Raster<std::int32_t>& instances,
     inclusion.ellipse = {e.x * d, e.y * d, e.a * d, e.b * d, e.angle};
     inclusion.orientation = e.angle;
     inclusion.contour = walk_round(instances, start[i]);
-    inclusion.perimeter = length_of(inclusion.contour) * staircase * d;
+    inclusion.perimeter = length_round(inclusion.contour) * staircase * d;
     for (Point& p : inclusion.contour) p = {p.x * d, p.y * d};
     inclusion.area = moments[i].n * d * d;
     inclusion.equivalent_diameter = 2 * std::sqrt(inclusion.area / std::numbers::pi);
@@ -123,5 +124,43 @@ std::vector<Inclusion> measure_inclusions(const Raster<std::int32_t>& instances,
   }
   return inclusions;
 }
+
+namespace {
+
+std::string text_of(double value, std::chars_format format, int digits) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
+  return {text.data(), end.ptr};
+}
+
+}  // namespace
+
+std::string grouped(std::int64_t count) {
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const std::size_t left = digits.size() - i;
+    if (left % 3 == 0 && !text.empty() && text.back() != '-') text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string counted(std::int64_t count, const std::string& noun) {
+  return grouped(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string share_text(double part, double whole) {
+  const double percent = whole > 0 ? 100 * part / whole : 0;
+  if (percent == 0) return "0 %";
+  if (percent < 0.1) return text_of(percent, std::chars_format::general, 1) + " %";
+  return text_of(percent, std::chars_format::fixed, 1) + " %";
+}
+
+std::string length_text(double metres) { return short_number(metres * 1e3) + " mm"; }
+std::string area_text(double square_metres) {
+  return text_of(square_metres * 1e6, std::chars_format::general, 3) + " mm2";
+}
+std::string short_number(double value) { return text_of(value, std::chars_format::general, 4); }
 
 }  // namespace specimen

@@ -1,7 +1,10 @@
 /// A rectangle of pixels, stored row by row, the top row of the picture first.
+/// Seeded random numbers, the same on every machine.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <random>
 #include <vector>
 
 namespace specimen {
@@ -25,6 +28,21 @@ struct Raster {
   T& operator()(int row, int col) { return data[static_cast<std::size_t>(row) * cols + col]; }
   const T& operator()(int row, int col) const { return data[static_cast<std::size_t>(row) * cols + col]; }
   friend bool operator==(const Raster&, const Raster&) = default;
+};
+
+/// Uniform numbers from a 64-bit Mersenne twister. The standard fixes the twister's raw output but leaves
+/// its distributions to the library, so the step to doubles is made here.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  /// Uniform in [0, 1), a multiple of 2^-53.
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  /// Uniform in [low, high].
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+ private:
+  std::mt19937_64 engine_;
 };
 
 }  // namespace specimen

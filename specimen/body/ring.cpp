@@ -6,10 +6,9 @@
 #include <string>
 #include <unordered_set>
 
+#include "specimen/body/ellipse.hpp"
 #include "specimen/body/error.hpp"
-#include "specimen/body/plane.hpp"
-#include "specimen/body/rotation.hpp"
-#include "specimen/body/wording.hpp"
+#include "specimen/body/mask.hpp"
 
 namespace specimen {
 namespace {

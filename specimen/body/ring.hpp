@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "specimen/body/inclusion.hpp"
+#include "specimen/body/ellipse.hpp"
 #include "specimen/body/mask.hpp"
 
 namespace specimen {

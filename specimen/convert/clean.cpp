@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "specimen/body/components.hpp"
-#include "specimen/convert/image_distance.hpp"
+#include "specimen/body/mask.hpp"
+#include "specimen/convert/image_colour.hpp"
 
 namespace specimen {
 namespace {

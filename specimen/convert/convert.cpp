@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "specimen/body/error.hpp"
+#include "specimen/body/measure.hpp"
 #include "specimen/convert/clean.hpp"
 #include "specimen/convert/convert_options.hpp"
-#include "specimen/body/error.hpp"
 #include "specimen/convert/grains.hpp"
-#include "specimen/body/measure.hpp"
-#include "specimen/body/notes.hpp"
-#include "specimen/picture/picture.hpp"
 #include "specimen/convert/resample.hpp"
 #include "specimen/convert/segment.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace specimen {
 namespace {

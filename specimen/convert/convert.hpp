@@ -34,8 +34,8 @@
 #include <utility>
 #include <vector>
 
-#include "specimen/picture/picture.hpp"
 #include "specimen/body/specimen.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace specimen {
 

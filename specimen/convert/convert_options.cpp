@@ -5,8 +5,8 @@
 #include <set>
 
 #include "specimen/body/error.hpp"
+#include "specimen/body/measure.hpp"
 #include "specimen/convert/image_colour.hpp"
-#include "specimen/body/notes.hpp"
 
 namespace specimen {
 namespace {

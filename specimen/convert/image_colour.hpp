@@ -1,12 +1,13 @@
 /// Colour pictures as numbers: Lab, single channels, smoothing.
+/// Euclidean distances in a picture.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "specimen/picture/picture.hpp"
 #include "specimen/body/raster.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace specimen {
 
@@ -29,5 +30,10 @@ struct Lab {
 
 /// Median over a square window, per channel.   @param edge  of the window [px], odd.
 [[nodiscard]] Raster<Rgb> median_of(const Raster<Rgb>& picture, int edge);
+
+/// Distance of every pixel with a non-zero value to the nearest pixel with zero, from centre to centre [px];
+/// 0 at the zeros themselves. Beyond the borders of the picture lies nothing. Without any zero: larger than
+/// the picture.
+[[nodiscard]] Raster<float> distance_to_zero(const Raster<std::uint8_t>& mask);
 
 }  // namespace specimen

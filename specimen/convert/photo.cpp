@@ -7,9 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "specimen/convert/clusters.hpp"
+#include "specimen/convert/classes.hpp"
 #include "specimen/convert/smoothing.hpp"
-#include "specimen/convert/thresholds.hpp"
 
 namespace specimen {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "specimen/convert/clusters.hpp"
-#include "specimen/convert/image_colour.hpp"
 #include "specimen/body/raster.hpp"
+#include "specimen/convert/classes.hpp"
+#include "specimen/convert/image_colour.hpp"
 
 namespace specimen {
 

@@ -5,15 +5,14 @@
 #include <numeric>
 #include <optional>
 
-#include "specimen/convert/convert_options.hpp"
 #include "specimen/body/error.hpp"
+#include "specimen/body/measure.hpp"
+#include "specimen/convert/classes.hpp"
+#include "specimen/convert/convert_options.hpp"
 #include "specimen/convert/guess.hpp"
 #include "specimen/convert/image_colour.hpp"
-#include "specimen/body/notes.hpp"
 #include "specimen/convert/photo.hpp"
 #include "specimen/convert/smoothing.hpp"
-#include "specimen/convert/thresholds.hpp"
-#include "specimen/convert/values.hpp"
 
 namespace specimen {
 namespace {

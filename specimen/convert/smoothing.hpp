@@ -1,8 +1,8 @@
 /// Making a picture calmer before its pixels are sorted: averaging and the median of grey levels.
 #pragma once
 
-#include "specimen/picture/picture.hpp"
 #include "specimen/body/raster.hpp"
+#include "specimen/picture/picture.hpp"
 
 namespace specimen {
 

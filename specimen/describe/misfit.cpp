@@ -8,13 +8,11 @@
 namespace specimen {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 using Figure = std::function<double(const Descriptors&)>;
 
 FigureMisfit compare_figure(const Descriptors& original, const std::vector<Descriptors>& twins,
                             const Figure& figure) {
-  FigureMisfit misfit{figure(original), 0, unknown, figure(twins.front()), figure(twins.front())};
+  FigureMisfit misfit{figure(original), 0, not_known, figure(twins.front()), figure(twins.front())};
   const auto count = static_cast<double>(twins.size());
   for (const Descriptors& twin : twins) {
     misfit.mean += figure(twin) / count;
@@ -31,7 +29,7 @@ FigureMisfit compare_figure(const Descriptors& original, const std::vector<Descr
 
 // Distances from the mean of the (other) twins, of the original first, then of each twin.
 CurveMisfit misfit_of(const std::vector<double>& distances) {
-  CurveMisfit misfit{distances.front(), unknown, unknown};
+  CurveMisfit misfit{distances.front(), not_known, not_known};
   const std::size_t twins = distances.size() - 1;
   if (twins < 2) return misfit;
   misfit.mean = misfit.largest = 0;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "specimen/picture/image_correlation.hpp"
+#include "specimen/picture/image_libraries.hpp"
 
 namespace specimen {
 namespace {

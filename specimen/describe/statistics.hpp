@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "specimen/pack/grading.hpp"
 #include "specimen/body/specimen.hpp"
+#include "specimen/pack/grading.hpp"
 
 namespace specimen {
 

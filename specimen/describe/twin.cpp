@@ -5,10 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "specimen/pack/canvas.hpp"
 #include "specimen/body/error.hpp"
-#include "specimen/pack/settle.hpp"
-#include "specimen/body/wording.hpp"
+#include "specimen/pack/canvas.hpp"
+#include "specimen/pack/relaxation.hpp"
 
 namespace specimen {
 namespace {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "specimen/body/replace_file.hpp"
+#include "specimen/body/files.hpp"
+#include "specimen/body/specimen.hpp"
 #include "specimen/file/specimen_file_hdf5.hpp"
-#include "specimen/body/validate.hpp"
 
 namespace specimen {
 namespace {

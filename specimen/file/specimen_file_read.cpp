@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include "specimen/body/specimen.hpp"
 #include "specimen/file/specimen_file.hpp"
-#include "specimen/file/specimen_file_heap.hpp"
 #include "specimen/file/specimen_file_source.hpp"
-#include "specimen/body/validate.hpp"
 
 namespace specimen {
 namespace {

@@ -1,3 +1,4 @@
+/// A look at the part of an HDF5 file that has no checksum. Not installed: private to specimen_file_read.cpp.
 /// Private to specimen_file_read.cpp: reads from an HDF5 file that may be damaged or hostile. Nothing is read
 /// before its place, type, extent and storage were found sound; every Error names the object.
 #pragma once
@@ -9,6 +10,12 @@
 #include "specimen/file/specimen_file_hdf5.hpp"
 
 namespace specimen::hdf5 {
+
+/// Whether the lengths in every global heap of a file are right. Texts of any length lie in such heaps, and
+/// the sources of virtual datasets. HDF5 1.10 goes through a heap with wrong lengths without an end, or
+/// beyond its end, as soon as an attribute or a dataset that needs it is opened.
+/// @return true for a file that cannot be read: opening it says why.
+[[nodiscard]] bool heaps_are_sound(const std::string& path);
 
 using Extent = std::vector<hsize_t>;
 

@@ -4,15 +4,14 @@
 #include <cstdint>
 
 #include "specimen/body/error.hpp"
-#include "specimen/pack/faults.hpp"
-#include "specimen/body/validate.hpp"
-#include "specimen/body/wording.hpp"
+#include "specimen/body/specimen.hpp"
+#include "specimen/pack/packing.hpp"
 
 namespace specimen {
 namespace {
 
 // A millionth of a pixel: what is lost by writing numbers in decimals is no user's mistake.
-constexpr double tolerance = 1e-6;
+constexpr double pixel_tolerance = 1e-6;
 
 int whole_pixels(const std::string& field, double size, double pixel_size) {
   if (!(size > 0) || !std::isfinite(size)) throw Error(field, millimetres(size), "must be > 0");
@@ -24,7 +23,7 @@ int whole_pixels(const std::string& field, double size, double pixel_size) {
                     number(most) + " are allowed",
                 "raise the pixel size");
   }
-  if (whole < 1 || std::abs(pixels - whole) > tolerance) {
+  if (whole < 1 || std::abs(pixels - whole) > pixel_tolerance) {
     const double below = std::floor(pixels), above = below + 1;
     throw Error(field, millimetres(size), "must be a whole number of pixels of " + millimetres(pixel_size),
                 "take " + (below > 0 ? millimetres(below * pixel_size) + " or " : "") +

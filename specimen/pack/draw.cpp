@@ -2,21 +2,19 @@
 #include <cmath>
 #include <string>
 
-#include "specimen/pack/canvas.hpp"
-#include "specimen/body/error.hpp"
+#include "specimen/body/ellipse.hpp"
 #include "specimen/body/ellipse_gap.hpp"
+#include "specimen/body/error.hpp"
 #include "specimen/body/measure.hpp"
-#include "specimen/pack/placement.hpp"
-#include "specimen/body/rotation.hpp"
-#include "specimen/pack/spatial_grid.hpp"
 #include "specimen/body/specimen.hpp"
-#include "specimen/body/wording.hpp"
+#include "specimen/pack/canvas.hpp"
+#include "specimen/pack/placement.hpp"
 
 namespace specimen {
 namespace {
 
 // A millionth of an ellipse: what is lost by writing numbers in decimals is no user's mistake.
-constexpr double tolerance = 1e-6;
+constexpr double overlap_tolerance = 1e-6;
 
 std::string name_of(std::size_t i, const Ellipse& e) {
   return "number " + std::to_string(i + 1) + " at (" + number(e.x * 1e3) + ", " + number(e.y * 1e3) + ") mm";
@@ -32,7 +30,7 @@ void check_alone(std::size_t i, const Ellipse& e, double width, double height) {
   }
   const Point half = half_extent(e);
   const double beyond = std::max({half.x - e.x, e.x + half.x - width, half.y - e.y, e.y + half.y - height});
-  if (beyond > tolerance * e.a) {
+  if (beyond > overlap_tolerance * e.a) {
     throw Error("ellipses", name_of(i, e),
                 "leaves the specimen of " + number(width * 1e3) + " x " + millimetres(height) + " by " +
                     millimetres(beyond),
@@ -44,7 +42,7 @@ void check_pair(std::size_t i, std::size_t j, const Ellipse& first, const Ellips
                 const Body& two) {
   if (test_gap(one, two, 0).separated) return;
   const double overlap = -exact_gap(one, two);
-  if (overlap <= tolerance * std::min(first.b, second.b)) return;
+  if (overlap <= overlap_tolerance * std::min(first.b, second.b)) return;
   throw Error("ellipses", name_of(i, first) + " and " + name_of(j, second),
               "overlap by " + millimetres(overlap), "move them apart");
 }

@@ -7,10 +7,8 @@
 #include <string>
 
 #include "specimen/body/error.hpp"
-#include "specimen/pack/faults.hpp"
-#include "specimen/pack/settle.hpp"
-#include "specimen/pack/sizes.hpp"
-#include "specimen/body/wording.hpp"
+#include "specimen/pack/grading.hpp"
+#include "specimen/pack/relaxation.hpp"
 
 namespace specimen {
 namespace {

@@ -1,10 +1,13 @@
 /// Random ellipses at an exact minimum gap, largest first.
+/// All that is wrong with a specimen that is to be drawn, at once; who draws it throws the first of it.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "specimen/body/ellipse.hpp"
+#include "specimen/body/error.hpp"
 #include "specimen/pack/grading.hpp"
 
 namespace specimen {
@@ -32,5 +35,13 @@ struct Packing {
 /// @throws Error for options out of range, and when the fraction cannot be filled: with the fraction that
 /// was reached (for more than 1000 aggregates: in a part of the specimen), what limits it and what to try.
 [[nodiscard]] Packing pack(const PackingOptions& options);
+
+/// Every option that is out of range; none of options that can be tried.
+[[nodiscard]] std::vector<Error> faults(const PackingOptions& options);
+
+/// Every one of the three sizes [m] that is not positive or no whole number of pixels, or makes too many of
+/// them.   @param group  of the fields in errors: "generate".
+[[nodiscard]] std::vector<Error> canvas_faults(double width, double height, double pixel_size,
+                                               const std::string& group);
 
 }  // namespace specimen

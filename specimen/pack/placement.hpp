@@ -1,12 +1,70 @@
+/// Cells that hold the boxes lying in them: who is near, at a cost that does not grow with the number.
 /// Ellipses placed one by one in a room, each at the required gap from all others and from the walls.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "specimen/body/ellipse.hpp"
-#include "specimen/pack/spatial_grid.hpp"
+#include "specimen/body/ellipse_gap.hpp"
 
 namespace specimen {
+
+/// Axis-parallel box [m].
+struct Box {
+  double left = 0, bottom = 0, right = 0, top = 0;
+};
+/// Smallest box round a body, wider by `margin` [m] on all sides.
+[[nodiscard]] Box box_round(const Body& body, double margin);
+
+/// Boxes of any size are entered in every cell they touch; cells as large as the smaller boxes keep both
+/// the entries of a large box and the neighbours in a cell few.
+class SpatialGrid {
+ public:
+  /// @param cell  edge of a cell [m]; made larger where the specimen would need too many.
+  SpatialGrid(double width, double height, double cell);
+
+  void clear();
+  /// Enter the box with the next number 0, 1, 2, ...
+  void add(const Box& box);
+
+  /// Call `visit(number)` once for every entered box that may meet `box`, until it returns false.
+  /// @return false when a visit did.
+  template <class Visit>
+  bool visit_near(const Box& box, Visit visit) const {
+    const Cells mine = cells_of(box);
+    for (int row = mine.row0; row <= mine.row1; ++row) {
+      for (int col = mine.col0; col <= mine.col1; ++col) {
+        for (int e = first_[index(row, col)]; e >= 0; e = entries_[e].next) {
+          const int number = entries_[e].number;
+          const Cells& other = cells_[number];
+          // Two boxes may share many cells; the pair counts in the first of them.
+          if (row != std::max(mine.row0, other.row0) || col != std::max(mine.col0, other.col0)) continue;
+          if (!visit(number)) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Cells {
+    int row0, col0, row1, col1;
+  };
+  struct Entry {
+    int number, next;
+  };
+  [[nodiscard]] Cells cells_of(const Box& box) const;
+  [[nodiscard]] std::size_t index(int row, int col) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) + static_cast<std::size_t>(col);
+  }
+
+  double cell_;
+  int rows_, cols_;
+  std::vector<int> first_;      // of the list of each cell, -1: none
+  std::vector<Entry> entries_;  // all lists
+  std::vector<Cells> cells_;    // per box
+};
 
 /// Where ellipses lie and how far apart they must be.
 struct Room {

@@ -1,13 +1,22 @@
 /// Which libraries read and segment pictures.
+/// Pairs of pixels by the shift between them (OpenCV's Fourier transform).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
 
 /// Names and versions, asked of the libraries that are loaded: {"OpenCV", "4.6.0"}.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> image_libraries();
+
+/// Number of pairs of set pixels of which the second lies (down, right) of the first, without wrapping round.
+/// @param set  0 or 1 per pixel; not empty.   @param most  largest shift along either axis [px].
+/// @return shape (most + 1, 2 most + 1): (down, most + right) holds the pairs of that shift. Exact.
+[[nodiscard]] Raster<std::int64_t> count_pairs(const Raster<std::uint8_t>& set, int most);
 
 }  // namespace specimen

@@ -1,4 +1,5 @@
 /// Pictures on disk: PNG, TIFF, BMP, JPEG, PGM/PPM in; PNG and TIFF out.
+/// Pictures for the eye: the mask in colours.
 #pragma once
 
 #include <cstdint>
@@ -48,5 +49,12 @@ void write_labels(const std::string& path, const LabelledMask& mask);
 /// @param pixel_size  [m].   @throws Error (Fault::write).
 void write_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& values, double pixel_size);
 void write_imagej_tiff(const std::string& path, const Raster<float>& values, double pixel_size);
+
+/// Colour of each phase: void white, aggregate blue-grey, mortar sand, ITZ dark orange, others from a
+/// colour-blind-safe list.
+[[nodiscard]] Rgb phase_colour(std::uint8_t label);
+
+/// The mask in these colours, one pixel a pixel.
+[[nodiscard]] Raster<Rgb> preview(const LabelledMask& mask);
 
 }  // namespace specimen

@@ -6,7 +6,6 @@
 
 #include "specimen/picture/picture_codecs.hpp"
 #include "specimen/picture/picture_header.hpp"
-#include "specimen/picture/picture_palette.hpp"
 
 namespace specimen {
 namespace {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "specimen/picture/picture_codecs.hpp"
-#include "specimen/picture/picture_exif.hpp"
 #include "specimen/picture/picture_header.hpp"
 
 // As with libpng: functions that call setjmp hold plain data alone.

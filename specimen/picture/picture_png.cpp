@@ -11,7 +11,6 @@
 
 #include "specimen/picture/picture_codecs.hpp"
 #include "specimen/picture/picture_header.hpp"
-#include "specimen/picture/picture_palette.hpp"
 
 // libpng reports a failure by longjmp. So every function that calls setjmp holds plain data alone: whatever
 // has a destructor lives in its caller.

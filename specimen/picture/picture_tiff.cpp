@@ -9,8 +9,7 @@
 
 #include "specimen/picture/picture_codecs.hpp"
 #include "specimen/picture/picture_header.hpp"
-#include "specimen/picture/picture_palette.hpp"
-#include "specimen/picture/tiff_handle.hpp"
+#include "specimen/picture/picture_tiff_write.hpp"
 
 namespace specimen {
 namespace {

@@ -1,4 +1,7 @@
+#include "specimen/picture/picture_tiff_write.hpp"
+
 #include <algorithm>
+#include <cstdarg>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -9,7 +12,31 @@
 
 #include "specimen/picture/picture_codecs.hpp"
 #include "specimen/picture/picture_header.hpp"
-#include "specimen/picture/tiff_handle.hpp"
+
+namespace specimen {
+namespace {
+
+[[gnu::format(printf, 4, 0)]] int on_error(TIFF*, void* user_data, const char*, const char* format,
+                                           va_list arguments) {
+  auto* messages = static_cast<TiffMessages*>(user_data);
+  if (messages->text[0] == '\0')
+    (void)std::vsnprintf(messages->text.data(), messages->text.size(), format, arguments);
+  return 1;  // told here, not on the terminal
+}
+
+int on_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+
+}  // namespace
+
+TiffOptions quiet_options(TiffMessages& messages) {
+  TiffOptions options(TIFFOpenOptionsAlloc());
+  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), largest_allocation);
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, &messages);
+  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, nullptr);
+  return options;
+}
+
+}  // namespace specimen
 
 // libtiff writes into memory, so that the file itself can be written whole or not at all.
 namespace specimen {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/text/complaint.hpp"
-#include "apps/text/value.hpp"
+#include "apps/text/quantity.hpp"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 /// A run that was never computed but could have been: for tests of what is written about runs.
 #pragma once
 
-#include "apps/run/run_folder.hpp"
+#include "apps/report/run_record.hpp"
 
 /// Owner of what a RunRecord refers to.
 struct FakeRun {

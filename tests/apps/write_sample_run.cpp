@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "apps/run/run_folder.hpp"
 #include "tests/apps/fake_run.hpp"
 
 int main(int argc, char** argv) {

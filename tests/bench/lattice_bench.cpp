@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "apps/system/machine_peak.hpp"
+#include "apps/system/machine.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "apps/system/machine_peak.hpp"
+#include "apps/system/machine.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "libmpm/files/checkpoint_file.hpp"
 #include "libmpm/scene/error.hpp"
-#include "libmpm/solver/sha256.hpp"
+#include "libmpm/solver/checkpoint.hpp"
 #include "tests/fuzz/checkpoint_samples.hpp"
 #include "tests/fuzz/input_file.hpp"
 

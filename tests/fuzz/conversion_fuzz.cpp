@@ -1,7 +1,7 @@
 // Any picture as a specimen: there is a valid specimen, or an Error.
-#include "specimen/convert/convert.hpp"
 #include "specimen/body/error.hpp"
-#include "specimen/body/validate.hpp"
+#include "specimen/body/specimen.hpp"
+#include "specimen/convert/convert.hpp"
 #include "tests/fuzz/input_file.hpp"
 
 namespace {

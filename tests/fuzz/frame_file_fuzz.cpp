@@ -1,6 +1,6 @@
 // Any file as a frame of a run: there is a frame, or a FileError.
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/frame_file.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/fuzz/hdf5_edits.hpp"
 #include "tests/libmpm/sample_frames.hpp"
 

@@ -1,6 +1,6 @@
 // Any file as the result of a run: there is a result, or a FileError.
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/result_file.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/fuzz/hdf5_edits.hpp"
 #include "tests/libmpm/sample_results.hpp"
 

@@ -1,9 +1,9 @@
 // Any text as a scene: it is refused with complaints, or it can be written down and says the same again.
 #include <cstdlib>
 
-#include "apps/text/complaint.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
+#include "apps/text/complaint.hpp"
 
 namespace {
 

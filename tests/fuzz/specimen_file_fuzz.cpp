@@ -1,7 +1,7 @@
 // Any file as a specimen: there is a valid specimen, or an Error.
 #include "specimen/body/error.hpp"
+#include "specimen/body/specimen.hpp"
 #include "specimen/file/specimen_file.hpp"
-#include "specimen/body/validate.hpp"
 #include "tests/fuzz/hdf5_edits.hpp"
 #include "tests/specimen/sample_specimen.hpp"
 

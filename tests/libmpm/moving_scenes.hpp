@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "libmpm/problems/moving_body.hpp"
+#include "libmpm/problems/method.hpp"
 
 namespace samples {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/frame_file.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
 namespace samples {

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/result_file.hpp"
+#include "libmpm/scene/error.hpp"
 
 namespace samples {
 

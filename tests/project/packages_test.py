@@ -15,9 +15,10 @@ tracked = set(subprocess.run(["git", "-C", source, "ls-files", "data"], capture_
     str(path.relative_to(source)) for path in (source / "data").rglob("*") if path.is_file()}
 shared = any(build.glob("specimen/*.so"))
 runtimes = {f"libmesopix-{library}{version.rpartition('.')[0]}" for library in ("specimen", "mpm") if shared}
-headers = {folder: {path.name for path in (source / folder).glob("*.hpp")
-                    if re.search(rf"^    {path.name}\)?$", (source / folder / "CMakeLists.txt").read_text(), re.M)}
-           for folder in ("specimen", "libmpm")}
+headers = {}
+for folder in ("specimen", "libmpm"):
+    listed = re.search(r"FILE_SET HEADERS BASE_DIRS \S+ FILES([^)]*)\)", (source / folder / "CMakeLists.txt").read_text())[1]
+    headers[folder] = set(listed.split())
 
 
 def run(*words, **more):

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "libmpm/solver/lattice/extra_points.hpp"
 #include "libmpm/solver/grid.hpp"
+#include "libmpm/solver/lattice/lattice_points.hpp"
 
 namespace mpm {
 namespace {

@@ -1,8 +1,8 @@
 /// How long a time step small strain bears, whatever the picture.
 #pragma once
 
-#include "libmpm/solver/plan.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace mpm {
 

@@ -1,6 +1,6 @@
 // The state of a run at small strain, into an archive and out of it.
 #include "libmpm/solver/archive.hpp"
-#include "libmpm/solver/failure_archive.hpp"
+#include "libmpm/solver/failure_maps.hpp"
 #include "libmpm/solver/lattice/lattice_solver.hpp"
 
 namespace mpm {

@@ -1,8 +1,8 @@
 // The slow path beside the sweeps: points that the fast test suspects, and the extra points.
 #include <cmath>
 
-#include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "libmpm/material/strength.hpp"
+#include "libmpm/solver/lattice/lattice_solver.hpp"
 
 namespace mpm {
 

@@ -1,14 +1,17 @@
 /// The material points of the pixels, as the sweeps read them.
+/// Material points beside those of the pixels. They are few, so they are swept one by one.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "libmpm/kernels/aligned.hpp"
+#include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/material/failure.hpp"
-#include "libmpm/kernels/kernels.hpp"
-#include "libmpm/solver/plan.hpp"
+#include "libmpm/material/strength.hpp"
 #include "libmpm/scene/scene.hpp"
-#include "libmpm/material/strength_field.hpp"
+#include "libmpm/solver/plan.hpp"
 
 namespace mpm {
 
@@ -52,7 +55,36 @@ void write_point(LatticePoints<Real>& points, std::size_t at, const Scene& scene
 /// Factor from a stress [Pa] to the measure of the sweeps.
 [[nodiscard]] double threshold_scale(const Plan& plan, const Phase& phase, double share);
 
-/// Threshold as the sweeps keep it: never above the true one, so that nothing that fails is missed.
-[[nodiscard]] float stored_threshold(double stress, double scale);
+/// Displacements of the nodes of a cell [m]: lower left, lower right, upper left, upper right.
+struct CellDisplacement {
+  double ux[4], uy[4];
+};
+
+/// Stress of a phase at a place of a cell under the displacements of its nodes [Pa]. xi, eta in [0, 1].
+[[nodiscard]] Stress<double> stress_in_cell(const Eigen::Matrix3d& stiffness, const CellDisplacement& u,
+                                            double xi, double eta, double cell_size);
+
+/// An extra point in its cell.
+struct CellPoint {
+  int cell = 0;            ///< column of cells
+  double xi = 0, eta = 0;  ///< place in the cell, in [0, 1]
+  double share = 1;        ///< of its pixel's volume [-]
+  PointState state;
+  Eigen::Matrix3d stiffness;  ///< of its phase [Pa]
+  std::size_t index = 0;      ///< in Scene::extra_points
+};
+
+struct ExtraPoints {
+  std::vector<CellPoint> points;       ///< sorted by row of cells
+  std::vector<std::size_t> row_begin;  ///< shape (cells_y + 1); empty when there are no extra points
+};
+
+[[nodiscard]] ExtraPoints make_extra_points(const Scene& scene, const Plan& plan);
+
+/// Forces of a point on the four nodes of its cell, in the scale of the sweeps.
+struct CellForces {
+  double x[4], y[4];
+};
+[[nodiscard]] CellForces forces_in_cell(const Stress<double>& stress, double xi, double eta, double scale);
 
 }  // namespace mpm

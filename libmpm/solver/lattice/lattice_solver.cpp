@@ -4,7 +4,6 @@
 #include <cmath>
 #include <thread>
 
-#include "libmpm/kernels/flush_to_zero.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
 
 namespace mpm {

@@ -7,17 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/scene/result.hpp"
+#include "libmpm/scene/scene.hpp"
 #include "libmpm/solver/archive.hpp"
-#include "libmpm/solver/barrier.hpp"
-#include "libmpm/solver/lattice/extra_points.hpp"
+#include "libmpm/solver/failure_maps.hpp"
 #include "libmpm/solver/frame.hpp"
 #include "libmpm/solver/grid.hpp"
 #include "libmpm/solver/lattice/lattice_points.hpp"
-#include "libmpm/solver/ledger.hpp"
 #include "libmpm/solver/moving_start.hpp"
 #include "libmpm/solver/plan.hpp"
-#include "libmpm/scene/result.hpp"
-#include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/threads.hpp"
 
 namespace mpm {
 

@@ -3,9 +3,9 @@
 #include <numeric>
 
 #include "libmpm/material/failure.hpp"
-#include "libmpm/solver/lattice/lattice_points.hpp"
-#include "libmpm/solver/moving/moving_solver.hpp"
 #include "libmpm/material/strength.hpp"
+#include "libmpm/solver/moving/moving_solver.hpp"
+#include "libmpm/solver/threshold.hpp"
 
 namespace mpm {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "libmpm/kernels/aligned.hpp"
-#include "libmpm/solver/archive.hpp"
 #include "libmpm/kernels/moving_kernels.hpp"
+#include "libmpm/solver/archive.hpp"
 
 namespace mpm {
 

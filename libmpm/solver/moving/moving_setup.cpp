@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "libmpm/kernels/instruction_set.hpp"
-#include "libmpm/solver/lattice/lattice_points.hpp"
 #include "libmpm/material/strength.hpp"
+#include "libmpm/solver/threshold.hpp"
 
 namespace mpm {
 namespace {

@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-#include "libmpm/kernels/flush_to_zero.hpp"
+#include "libmpm/kernels/instruction_set.hpp"
 
 namespace mpm {
 

@@ -7,15 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/scene/result.hpp"
 #include "libmpm/solver/archive.hpp"
-#include "libmpm/solver/barrier.hpp"
+#include "libmpm/solver/failure_maps.hpp"
 #include "libmpm/solver/frame.hpp"
-#include "libmpm/solver/ledger.hpp"
 #include "libmpm/solver/moving/moving_grid.hpp"
 #include "libmpm/solver/moving/moving_points.hpp"
 #include "libmpm/solver/moving_start.hpp"
-#include "libmpm/scene/result.hpp"
-#include "libmpm/solver/moving/support.hpp"
+#include "libmpm/solver/threads.hpp"
 
 namespace mpm {
 

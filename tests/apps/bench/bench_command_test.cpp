@@ -7,7 +7,7 @@
 #include "apps/evidence_commands.hpp"
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace bench_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -69,4 +69,4 @@ TEST_F(BenchCommand, MakesNoFolderForACaseThatIsNotThere) {
   EXPECT_FALSE(fs::exists("runs"));
 }
 
-}  // namespace
+}  // namespace bench_command_test

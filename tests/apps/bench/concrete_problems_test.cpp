@@ -1,10 +1,10 @@
-#include "apps/bench/concrete_problems.hpp"
+#include "apps/bench/problem_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace concrete_problems_test {
 
 using namespace app::bench;
 
@@ -38,4 +38,4 @@ TEST(ConcreteProblems, FinerPixelsGiveTheModulus) {
   EXPECT_LT(results[0].methods[0].samples.back().error, 0.01);
 }
 
-}  // namespace
+}  // namespace concrete_problems_test

@@ -1,11 +1,11 @@
-#include "apps/bench/error_report.hpp"
+#include "apps/bench/error_study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace {
+namespace error_report_test {
 
 using namespace app::bench;
 using testing::HasSubstr;
@@ -70,4 +70,4 @@ TEST(ErrorReport, TableHasALineARun) {
   EXPECT_THAT(csv, HasSubstr("pull,\"lattice\",velocity,0.1,m/s,0.19999999999999996,1,4096,nan,1,\"\"\n"));
 }
 
-}  // namespace
+}  // namespace error_report_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace error_study_test {
 
 using namespace app::bench;
 
@@ -98,4 +98,4 @@ TEST(ErrorStudy, TellsHowFarItIsAndKeepsWhatWasDoneBeforeItWasStopped) {
   EXPECT_EQ(results.size(), 1U);
 }
 
-}  // namespace
+}  // namespace error_study_test

@@ -3,7 +3,7 @@
 
 #include "apps/bench/feature_study.hpp"
 
-namespace {
+namespace feature_report_test {
 
 using namespace app::bench;
 using testing::HasSubstr;
@@ -34,4 +34,4 @@ TEST(FeatureReport, HidesNoDisagreement) {
   EXPECT_THAT(feature_csv(costs()), HasSubstr(",0,0,0\n"));
 }
 
-}  // namespace
+}  // namespace feature_report_test

@@ -4,7 +4,7 @@
 
 #include "libmpm/run/simulate.hpp"
 
-namespace {
+namespace feature_study_test {
 
 using namespace app::bench;
 
@@ -45,4 +45,4 @@ TEST(FeatureStudy, StopsWhenItIsTold) {
   EXPECT_EQ(costs.size(), 2U);
 }
 
-}  // namespace
+}  // namespace feature_study_test

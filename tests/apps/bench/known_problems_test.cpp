@@ -1,11 +1,11 @@
-#include "apps/bench/known_problems.hpp"
+#include "apps/bench/problem_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace known_problems_test {
 
 using namespace app::bench;
 
@@ -54,4 +54,4 @@ TEST(KnownProblems, SinglePrecisionIsSingle) {
   EXPECT_GT(method_named(results[0], "GIMP MUSL FLIP single").samples[0].error, 1e-8);
 }
 
-}  // namespace
+}  // namespace known_problems_test

@@ -6,7 +6,7 @@
 
 #include "tests/apps/complaint_about.hpp"
 
-namespace {
+namespace problem_table_test {
 
 using namespace app::bench;
 
@@ -39,4 +39,4 @@ TEST(ProblemTable, RefusesWhatIsNotThere) {
   }
 }
 
-}  // namespace
+}  // namespace problem_table_test

@@ -1,4 +1,4 @@
-#include "apps/bench/stability_critical_step.hpp"
+#include "apps/bench/stability_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "apps/bench/stability_scenes.hpp"
 #include "libmpm/solver/lattice/cell_limit.hpp"
 
-namespace {
+namespace stability_critical_step_test {
 
 using namespace app::bench;
 
@@ -45,4 +45,4 @@ TEST(StabilityCriticalStep, IsNoShorterThanTheBoundFromTheCells) {
   EXPECT_GE(critical_step(scene, plan).dt, mpm::cell_limit(scene, plan));
 }
 
-}  // namespace
+}  // namespace stability_critical_step_test

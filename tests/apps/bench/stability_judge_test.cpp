@@ -1,11 +1,11 @@
-#include "apps/bench/stability_judge.hpp"
+#include "apps/bench/stability_scenes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace stability_judge_test {
 
 using app::bench::Judge;
 using testing::HasSubstr;
@@ -38,4 +38,4 @@ TEST(StabilityJudge, HoldsNothingWithoutAJudgement) {
   EXPECT_FALSE(Judge().note("a figure").finding().holds);
 }
 
-}  // namespace
+}  // namespace stability_judge_test

@@ -3,7 +3,7 @@
 
 #include "tests/apps/bench/made_up_cases.hpp"
 
-namespace {
+namespace stability_report_test {
 
 using namespace app::bench;
 using testing::HasSubstr;
@@ -56,4 +56,4 @@ TEST(StabilityReport, TableQuotesItsCells) {
   EXPECT_THAT(csv, HasSubstr("\"0.1 of \"\"1\"\", <fine>\"\nbad,First,FAILS,0.00,"));
 }
 
-}  // namespace
+}  // namespace stability_report_test

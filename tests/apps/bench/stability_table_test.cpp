@@ -1,4 +1,4 @@
-#include "apps/bench/stability_table.hpp"
+#include "apps/bench/stability.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace stability_table_test {
 
 using namespace app::bench;
 using testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST(StabilityTable, RefusesANameThatIsNone) {
   }
 }
 
-}  // namespace
+}  // namespace stability_table_test

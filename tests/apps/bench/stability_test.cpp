@@ -5,7 +5,7 @@
 
 #include "tests/apps/bench/made_up_cases.hpp"
 
-namespace {
+namespace stability_test {
 
 using namespace app::bench;
 
@@ -50,4 +50,4 @@ TEST(Stability, QuickCasesHold) {
     EXPECT_TRUE(row.finding.holds) << row.name << ": " << row.finding.seen;
 }
 
-}  // namespace
+}  // namespace stability_test

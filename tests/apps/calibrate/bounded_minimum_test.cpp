@@ -1,10 +1,10 @@
-#include "apps/calibrate/bounded_minimum.hpp"
+#include "apps/calibrate/trend_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-namespace {
+namespace bounded_minimum_test {
 
 double bowl(const std::vector<double>& x) {
   double value = 0;
@@ -36,4 +36,4 @@ TEST(BoundedMinimum, PassesOnWhatTheFunctionThrows) {
       std::out_of_range);
 }
 
-}  // namespace
+}  // namespace bounded_minimum_test

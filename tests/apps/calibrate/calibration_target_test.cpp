@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace calibration_target_test {
 
 using app::SeedRun;
 using app::Target;
@@ -59,4 +59,4 @@ TEST(CalibrationTarget, ScenesReachTheEndOfACurve) {
   EXPECT_EQ(longer.history_rows, 4800);
 }
 
-}  // namespace
+}  // namespace calibration_target_test

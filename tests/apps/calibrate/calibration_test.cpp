@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/calibrate/calibration_words.hpp"
-#include "apps/job/scene_builder.hpp"
+#include "apps/calibrate/calibration_report.hpp"
+#include "apps/job/job.hpp"
 #include "tests/apps/small_specimen.hpp"
 
-namespace {
+namespace calibration_test {
 
 using app::Calibration;
 using app::CalibrationTask;
@@ -138,4 +138,4 @@ TEST_F(CalibrationOfSmall, ReportsWhatDiverges) {
   EXPECT_THROW((void)app::calibrate(wanted, never), app::Rejected);
 }
 
-}  // namespace
+}  // namespace calibration_test

@@ -1,8 +1,8 @@
-#include "apps/calibrate/calibration_words.hpp"
+#include "apps/calibrate/calibration_report.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace calibration_words_test {
 
 using app::Calibration;
 using app::CalibrationTask;
@@ -67,4 +67,4 @@ TEST_F(CalibrationWords, ATargetWithinTheScatterOfItsMeanIsMet) {
             "phases.mortar.tensile_scale at its lower bound of 0.75 MPa");
 }
 
-}  // namespace
+}  // namespace calibration_words_test

@@ -4,7 +4,7 @@
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace free_parameters_test {
 
 using app::FreeParameter;
 using app::Settings;
@@ -131,4 +131,4 @@ TEST(FreeParameters, RefuseBoundsThatAreNone) {
             "with =LOW..HIGH");
 }
 
-}  // namespace
+}  // namespace free_parameters_test

@@ -1,10 +1,10 @@
-#include "apps/calibrate/parameter_spread.hpp"
+#include "apps/calibrate/calibration.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace parameter_spread_test {
 
 using app::Calibration;
 using app::CalibrationTask;
@@ -49,4 +49,4 @@ TEST(ParameterSpread, IsUnknownWhereItCannotBeTold) {
   EXPECT_FALSE(app::parameter_spread({{}, none, {1e6, {}, {}}, {{}}}, few));
 }
 
-}  // namespace
+}  // namespace parameter_spread_test

@@ -1,8 +1,8 @@
-#include "apps/calibrate/pseudo_inverse.hpp"
+#include "apps/calibrate/trend_search.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace pseudo_inverse_test {
 
 // The four conditions of Penrose (1955), for a full, a deficient and a flat matrix.
 TEST(PseudoInverse, KeepsPenrosesConditions) {
@@ -19,4 +19,4 @@ TEST(PseudoInverse, KeepsPenrosesConditions) {
   }
 }
 
-}  // namespace
+}  // namespace pseudo_inverse_test

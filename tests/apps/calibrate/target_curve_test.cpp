@@ -1,4 +1,4 @@
-#include "apps/calibrate/target_curve.hpp"
+#include "apps/calibrate/calibration_target.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include "tests/apps/refusal.hpp"
 #include "tests/damaged.hpp"
 
-namespace {
+namespace target_curve_test {
 
 std::string complaint_about(const std::string& text) {
   try {
@@ -76,4 +76,4 @@ TEST(TargetCurve, RefusesWhatIsNoCurve) {
             "sign");
 }
 
-}  // namespace
+}  // namespace target_curve_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace trend_search_test {
 
 using app::SearchEnd;
 
@@ -75,4 +75,4 @@ TEST(TrendSearch, EndsWhenItIsStopped) {
   EXPECT_EQ(search(peak), SearchEnd::stopped);
 }
 
-}  // namespace
+}  // namespace trend_search_test

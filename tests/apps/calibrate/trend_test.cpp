@@ -1,10 +1,10 @@
-#include "apps/calibrate/trend.hpp"
+#include "apps/calibrate/trend_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace trend_test {
 
 app::Evaluation evaluation(double a, double b, double noise = 0) {
   app::Evaluation result;
@@ -43,4 +43,4 @@ TEST(Trend, LeavesOutWhatHasNoFigures) {
   EXPECT_NEAR(trend.slope(0, 0), 2, 1e-12);
 }
 
-}  // namespace
+}  // namespace trend_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace calibrate_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -107,4 +107,4 @@ TEST_F(CalibrateCommand, RefusesASpecimenThatFlies) {
                  "of a stress-strain curve between platens");
 }
 
-}  // namespace
+}  // namespace calibrate_command_test

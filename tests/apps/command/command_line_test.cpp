@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace command_line_test {
 
 using app::Value;
 using testing::HasSubstr;
@@ -123,4 +123,4 @@ TEST(Help, ShowsNameTypeHelpAndDefault) {
   EXPECT_THAT(help, testing::Not(HasSubstr("generate.fraction")));
 }
 
-}  // namespace
+}  // namespace command_line_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace doctor_command_test {
 
 using app::Exit;
 
@@ -29,4 +29,4 @@ TEST_F(DoctorCommand, FindsTheNumbersRightAndLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty("."));
 }
 
-}  // namespace
+}  // namespace doctor_command_test

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace doctor_test {
 
 using app::Exit;
 using app::Health;
@@ -125,4 +125,4 @@ TEST(TerminalEnvironment, KnowsUtf8) {
   EXPECT_FALSE((app::TerminalEnvironment{"C.UTF-8", "xterm", true}.has_colours()));
 }
 
-}  // namespace
+}  // namespace doctor_test

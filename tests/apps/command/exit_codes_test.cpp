@@ -1,11 +1,11 @@
-#include "apps/command/exit_codes.hpp"
+#include "apps/command/command.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-namespace {
+namespace exit_codes_test {
 
 TEST(ExitCodes, EachHasItsMeaningOnceTheSmallestFirst) {
   std::vector<int> codes;
@@ -25,4 +25,4 @@ TEST(ExitCodes, AreSummedUpInLinesThatFit) {
   for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 100u) << line;
 }
 
-}  // namespace
+}  // namespace exit_codes_test

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "libmpm/files/result_file.hpp"
-#include "specimen/picture/picture.hpp"
 #include "specimen/file/specimen_file.hpp"
+#include "specimen/picture/picture.hpp"
 #include "tests/apps/program_in_folder.hpp"
 #include "tests/apps/small_specimen.hpp"
 
-namespace {
+namespace export_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -187,4 +187,4 @@ TEST_F(ExportCommand, WritesNoFileOfAnotherKindAndNotOverTheInput) {
                  "none/a.vti: could not be written: No such file or directory; create its folder first");
 }
 
-}  // namespace
+}  // namespace export_command_test

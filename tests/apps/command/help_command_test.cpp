@@ -1,11 +1,11 @@
-#include "apps/command/help_command.hpp"
+#include "apps/command/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace help_command_test {
 
 using app::Exit;
 
@@ -35,4 +35,4 @@ TEST_F(HelpCommand, RefusesCommandsThatAreNone) {
   expect_refusal({"help", "inspect", "x"}, "x: unknown command; mesopix inspect has no commands below it");
 }
 
-}  // namespace
+}  // namespace help_command_test

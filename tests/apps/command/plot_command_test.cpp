@@ -1,4 +1,4 @@
-#include "apps/command/plot_command.hpp"
+#include "apps/command/output_commands.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace plot_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -127,4 +127,4 @@ TEST_F(PlotCommand, RefusesWhatItCannotDraw) {
               HasSubstr("RUN: run; has no frames, which hold the stress; run it again with --frames 40"));
 }
 
-}  // namespace
+}  // namespace plot_command_test

@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "specimen/picture/picture.hpp"
 #include "specimen/file/specimen_file.hpp"
+#include "specimen/picture/picture.hpp"
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace program_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -319,4 +319,4 @@ TEST_F(Program, ConvertNeverOverwritesItsPicture) {
                  "-o: a.h5; would overwrite a_preview.png; choose another name");
 }
 
-}  // namespace
+}  // namespace program_test

@@ -1,4 +1,4 @@
-#include "apps/command/report_command.hpp"
+#include "apps/command/output_commands.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "tests/apps/fake_run.hpp"
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace report_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -81,4 +81,4 @@ TEST_F(ReportCommand, NamesTheRunThatCannotBeRead) {
   EXPECT_THAT(err_.str(), HasSubstr("must be the folder of a run"));
 }
 
-}  // namespace
+}  // namespace report_command_test

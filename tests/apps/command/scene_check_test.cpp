@@ -1,4 +1,4 @@
-#include "apps/command/scene_check.hpp"
+#include "apps/command/scene_command.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace scene_check_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -158,4 +158,4 @@ TEST_F(SceneCheck, GivesEditorsAList) {
   EXPECT_EQ(list[2]["key"], nullptr);
 }
 
-}  // namespace
+}  // namespace scene_check_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace scene_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -162,4 +162,4 @@ TEST_F(Scene, SchemaDescribesEveryKey) {
     EXPECT_EQ(name == "ellipses" || table["additionalProperties"] == false, true) << name;
 }
 
-}  // namespace
+}  // namespace scene_command_test

@@ -1,4 +1,4 @@
-#include "apps/command/simulate_command.hpp"
+#include "apps/command/run_commands.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace simulate_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -126,4 +126,4 @@ TEST_F(SimulateCommand, RefusesWhatDoesNotGoTogether) {
                  "--estimate-error: there are no platens; needs a test in tension or compression");
 }
 
-}  // namespace
+}  // namespace simulate_command_test

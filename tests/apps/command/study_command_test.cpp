@@ -6,7 +6,7 @@
 #include "tests/apps/program_in_folder.hpp"
 #include "tests/apps/small_study.hpp"
 
-namespace {
+namespace study_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -164,4 +164,4 @@ TEST_F(StudyCommand, RefusesWhatItCannotWorkWith) {
                  "-o: notes; holds something else than a study; choose another folder");
 }
 
-}  // namespace
+}  // namespace study_command_test

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "apps/system/other_program.hpp"
+#include "apps/system/processes.hpp"
 #include "tests/apps/fake_slurm.hpp"
 #include "tests/apps/program_in_folder.hpp"
 #include "tests/apps/small_study.hpp"
 
-namespace {
+namespace study_submit_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -124,4 +124,4 @@ TEST_F(StudyCluster, CollectRefusesAStudyThatHasNothing) {
   EXPECT_EQ(err_.str(), "mesopix: study collect: runs/study; has no result yet; mesopix study submit\n");
 }
 
-}  // namespace
+}  // namespace study_submit_command_test

@@ -7,7 +7,7 @@
 #include "tests/apps/program_in_folder.hpp"
 #include "tests/apps/small_specimen.hpp"
 
-namespace {
+namespace twin_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -123,4 +123,4 @@ TEST_F(TwinCommand, RefusesAnOriginalWithoutAggregates) {
       "as a picture and give that");
 }
 
-}  // namespace
+}  // namespace twin_command_test

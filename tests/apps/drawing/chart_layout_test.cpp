@@ -1,11 +1,11 @@
-#include "apps/drawing/chart_layout.hpp"
+#include "apps/drawing/chart.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace chart_layout_test {
 
 using namespace output;
 
@@ -200,4 +200,4 @@ TEST(ChartLayout, DrawsDotsWhereTheyAreAskedForAndMarkersWithoutWords) {
   EXPECT_EQ(all<Dot>(lay_out(chart, 600, 400)).size(), 1U);
 }
 
-}  // namespace
+}  // namespace chart_layout_test

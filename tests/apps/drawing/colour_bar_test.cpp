@@ -1,10 +1,10 @@
-#include "apps/drawing/colour_bar.hpp"
+#include "apps/drawing/stress_drawing.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/apps/drawn.hpp"
 
-namespace {
+namespace colour_bar_test {
 
 using namespace output;
 using test::drawn;
@@ -75,4 +75,4 @@ TEST(ColourBar, StaysOnTheDrawing) {
     }
 }
 
-}  // namespace
+}  // namespace colour_bar_test

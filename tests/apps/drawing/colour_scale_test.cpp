@@ -1,4 +1,4 @@
-#include "apps/drawing/colour_scale.hpp"
+#include "apps/drawing/colours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "specimen/convert/image_colour.hpp"
 
-namespace {
+namespace colour_scale_test {
 
 using output::ColourScale;
 using output::scale_of;
@@ -148,4 +148,4 @@ TEST(ScaleOf, KnowsFewValuesAndNone) {
   expect_ends(scale_of({-2.1}), -2.5, 0);
 }
 
-}  // namespace
+}  // namespace colour_scale_test

@@ -1,11 +1,11 @@
-#include "apps/drawing/damage_drawing.hpp"
+#include "apps/drawing/damage_picture.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/apps/fake_run.hpp"
 #include "tests/apps/drawn.hpp"
+#include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace damage_drawing_test {
 
 using output::Drawing;
 using output::Words;
@@ -47,4 +47,4 @@ TEST(DamageDrawing, HoldsAllThatItDraws) {
     }
 }
 
-}  // namespace
+}  // namespace damage_drawing_test

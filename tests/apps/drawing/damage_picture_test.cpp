@@ -7,10 +7,10 @@
 #include <limits>
 #include <set>
 
-#include "specimen/picture/preview.hpp"
+#include "specimen/picture/picture.hpp"
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace damage_picture_test {
 
 using namespace output;
 using specimen::Raster;
@@ -96,4 +96,4 @@ TEST(Palettes, FollowThePhaseColoursOfThePreview) {
   }
 }
 
-}  // namespace
+}  // namespace damage_picture_test

@@ -1,11 +1,11 @@
-#include "apps/drawing/damage_stages.hpp"
+#include "apps/drawing/damage_picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace {
+namespace damage_stages_test {
 
 using namespace output;
 using testing::ElementsAre;
@@ -76,4 +76,4 @@ TEST(PictureName, HasThreeFigures) {
   EXPECT_EQ(picture_name(150, true), "damage_150_colour.png");
 }
 
-}  // namespace
+}  // namespace damage_stages_test

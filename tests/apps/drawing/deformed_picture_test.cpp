@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "apps/drawing/picture_scale.hpp"
+#include "apps/drawing/picture_parts.hpp"
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace deformed_picture_test {
 
 using namespace output;
 using specimen::Raster;
@@ -113,4 +113,4 @@ TEST(DeformedPicture, KnowsRunsInWhichNothingCanFail) {
 
 TEST(HasEnd, IsSoForMovingPointsOnly) { EXPECT_FALSE(has_end(still_run({"2"}).result)); }
 
-}  // namespace
+}  // namespace deformed_picture_test

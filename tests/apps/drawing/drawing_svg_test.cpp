@@ -1,8 +1,8 @@
-#include "apps/drawing/drawing_svg.hpp"
+#include "apps/drawing/drawing_files.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace drawing_svg_test {
 
 using namespace output;
 
@@ -29,4 +29,4 @@ TEST(Svg, EscapesWords) {
   EXPECT_EQ(svg.find("<script>"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace drawing_svg_test

@@ -1,4 +1,4 @@
-#include "apps/drawing/ink.hpp"
+#include "apps/drawing/colours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace {
+namespace ink_test {
 
 using output::Ink;
 using specimen::Rgb;
@@ -44,4 +44,4 @@ TEST(Ink, HasANameEach) {
 
 TEST(Ink, IsWrittenInHexadecimal) { EXPECT_EQ(output::hex({0, 0x0a, 0xff}), "#000aff"); }
 
-}  // namespace
+}  // namespace ink_test

@@ -1,11 +1,11 @@
 // What a picture makes of these numbers is tested with the pictures of points that have moved.
-#include "apps/drawing/nearest_points.hpp"
+#include "apps/drawing/deformed_picture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace {
+namespace nearest_points_test {
 
 using output::nearest_points;
 using output::PointPlace;
@@ -48,4 +48,4 @@ TEST(NearestPoints, LeavesOutWhatIsNowhereOrFarAway) {
   EXPECT_LE(far.rows, 3);
 }
 
-}  // namespace
+}  // namespace nearest_points_test

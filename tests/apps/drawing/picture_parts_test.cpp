@@ -4,7 +4,7 @@
 
 #include "tests/apps/drawn.hpp"
 
-namespace {
+namespace picture_parts_test {
 
 using namespace output;
 using test::drawn;
@@ -34,4 +34,4 @@ TEST(AddLegend, BeginsALineWhereOneIsFull) {
   for (const Words& words : drawn<Words>(drawing)) EXPECT_LT(words.at.x, 480 - 20 * 8);
 }
 
-}  // namespace
+}  // namespace picture_parts_test

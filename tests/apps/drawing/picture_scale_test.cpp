@@ -1,8 +1,8 @@
-#include "apps/drawing/picture_scale.hpp"
+#include "apps/drawing/picture_parts.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace picture_scale_test {
 
 using namespace output;
 using specimen::Raster;
@@ -55,4 +55,4 @@ TEST(ShrinkFactor, BringsTheLongerSideBelowALimit) {
   EXPECT_EQ(shrink_factor(4000, 100, 900), 5);
 }
 
-}  // namespace
+}  // namespace picture_scale_test

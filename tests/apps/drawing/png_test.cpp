@@ -1,4 +1,4 @@
-#include "apps/drawing/png.hpp"
+#include "apps/drawing/drawing_files.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace {
+namespace png_test {
 
 using namespace output;
 using specimen::Raster;
@@ -86,4 +86,4 @@ TEST(PngOfDrawing, FillsAreas) {
   EXPECT_EQ(picture(8, 8), (Rgb{255, 255, 255}));
 }
 
-}  // namespace
+}  // namespace png_test

@@ -1,10 +1,10 @@
-#include "apps/drawing/strain_unit.hpp"
+#include "apps/drawing/ticks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace {
+namespace strain_unit_test {
 
 using output::strain_unit;
 
@@ -32,4 +32,4 @@ TEST(StrainWords, NameTheShareOfThePeakWhereThereIsOne) {
   EXPECT_EQ(output::strain_words(result, 118e-6, 1), "118 microstrain, 99.7\u00A0% of the peak strain");
 }
 
-}  // namespace
+}  // namespace strain_unit_test

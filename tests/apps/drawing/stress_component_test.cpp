@@ -1,10 +1,10 @@
-#include "apps/drawing/stress_component.hpp"
+#include "apps/drawing/stress_drawing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace stress_component_test {
 
 using output::phrase_of;
 using output::stress_of;
@@ -47,4 +47,4 @@ TEST(StressComponent, IsNamedAfterTheLoadingWhereThereIsOne) {
   EXPECT_EQ(phrase_of(Component::first, true), "largest principal stress");
 }
 
-}  // namespace
+}  // namespace stress_component_test

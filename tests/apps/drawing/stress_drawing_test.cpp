@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/apps/fake_run.hpp"
 #include "tests/apps/drawn.hpp"
+#include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace stress_drawing_test {
 
 using namespace output;
 using specimen::Rgb;
@@ -154,4 +154,4 @@ TEST_F(StressDrawing, KnowsAFrameWithoutPoints) {
   EXPECT_EQ(colour_at(draw(), 1, 1, 3), white);
 }
 
-}  // namespace
+}  // namespace stress_drawing_test

@@ -1,11 +1,11 @@
-#include "apps/drawing/thin_line.hpp"
+#include "apps/drawing/ticks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace thin_line_test {
 
 using output::Place;
 
@@ -36,4 +36,4 @@ TEST(ThinLine, KeepsEndsAndExtremesInOrder) {
   EXPECT_TRUE(std::any_of(thin.begin(), thin.end(), [](Place p) { return p.y == -1000; }));
 }
 
-}  // namespace
+}  // namespace thin_line_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace ticks_test {
 
 using testing::ElementsAre;
 
@@ -64,4 +64,4 @@ TEST(TickText, UsesPowersOfTenWhereThatIsShorter) {
   EXPECT_EQ(output::tick_text(3e9, 1e9), "3\u00A0×\u00A010⁹");
 }
 
-}  // namespace
+}  // namespace ticks_test

@@ -1,9 +1,9 @@
-#include "apps/drawing/vector_file.hpp"
+#include "apps/drawing/drawing_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace vector_file_test {
 
 using output::vector_file;
 using output::VectorFormat;
@@ -34,4 +34,4 @@ TEST(VectorFile, DoesNotTellTheTimeOfDay) {
   EXPECT_THAT(pdf, testing::Not(HasSubstr("CreationDate")));
 }
 
-}  // namespace
+}  // namespace vector_file_test

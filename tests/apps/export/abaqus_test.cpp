@@ -1,4 +1,4 @@
-#include "apps/export/abaqus.hpp"
+#include "apps/export/mesh_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "tests/apps/export/small_mask.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace abaqus_test {
 
 using exchange::PlaneElement;
 using testing::HasSubstr;
@@ -57,4 +57,4 @@ TEST(Abaqus, LeavesOutTheSetOfAnEdgeThatIsVoid) {
 
 TEST(Abaqus, InventsNoMaterial) { EXPECT_THAT(written(test::mask_of({"2"})), Not(HasSubstr("\n*MATERIAL"))); }
 
-}  // namespace
+}  // namespace abaqus_test

@@ -1,4 +1,4 @@
-#include "apps/export/gmsh.hpp"
+#include "apps/export/mesh_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "tests/apps/export/small_mask.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace gmsh_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -44,4 +44,4 @@ TEST(Gmsh, LeavesOutTheCurveOfAnEdgeThatIsVoid) {
   EXPECT_THAT(text, Not(HasSubstr("RIGHT")));
 }
 
-}  // namespace
+}  // namespace gmsh_test

@@ -1,10 +1,10 @@
-#include "apps/export/inclusion_table.hpp"
+#include "apps/export/imagej.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-namespace {
+namespace inclusion_table_test {
 
 TEST(InclusionTable, HasUnitsInItsHeaderAndALineAnInclusion) {
   specimen::Inclusion inclusion;
@@ -23,4 +23,4 @@ TEST(InclusionTable, OfNoneIsAHeader) {
   EXPECT_EQ(exchange::inclusion_table({}).find('\n'), exchange::inclusion_table({}).size() - 1);
 }
 
-}  // namespace
+}  // namespace inclusion_table_test

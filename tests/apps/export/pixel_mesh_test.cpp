@@ -8,7 +8,7 @@
 #include "specimen/body/error.hpp"
 #include "tests/apps/export/small_mask.hpp"
 
-namespace {
+namespace pixel_mesh_test {
 
 using exchange::Edge;
 using exchange::PixelMesh;
@@ -90,4 +90,4 @@ TEST(PixelMesh, OfNothingIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace pixel_mesh_test

@@ -1,4 +1,4 @@
-#include "apps/export/roi.hpp"
+#include "apps/export/imagej.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/apps/export/small_mask.hpp"
 
-namespace {
+namespace roi_test {
 
 using specimen::Point;
 
@@ -90,4 +90,4 @@ TEST(Roi, KeepsTheNumberOfVeryManyCornersWhereItHasRoom) {
   EXPECT_EQ(number(roi, 18, 4), 70'000U);
 }
 
-}  // namespace
+}  // namespace roi_test

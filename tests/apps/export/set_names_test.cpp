@@ -1,9 +1,9 @@
-#include "apps/export/set_names.hpp"
+#include "apps/export/mesh_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace set_names_test {
 
 using exchange::group_names;
 using exchange::set_names;
@@ -34,4 +34,4 @@ TEST(GroupNames, AreNotCutWithinACharacter) {
   EXPECT_EQ(name, std::string(119, 'a'));
 }
 
-}  // namespace
+}  // namespace set_names_test

@@ -1,4 +1,4 @@
-#include "apps/export/text_stream.hpp"
+#include "apps/export/mesh_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace text_stream_test {
 
 TEST(TextStream, HandsOnLargePiecesInOrder) {
   std::string received;
@@ -45,4 +45,4 @@ TEST(LengthText, FitsWhereTwentyCharactersAreAllowed) {
     EXPECT_LE(exchange::length_text(length).size(), 20U);
 }
 
-}  // namespace
+}  // namespace text_stream_test

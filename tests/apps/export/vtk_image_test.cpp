@@ -1,4 +1,4 @@
-#include "apps/export/vtk_image.hpp"
+#include "apps/export/mesh_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "tests/apps/export/small_mask.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace vtk_image_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -33,4 +33,4 @@ TEST(VtkImage, SpellsTheNamesOfThePhases) {
       HasSubstr("NumberOfTuples=\"2\" format=\"ascii\">\n118 111 105 100 0\n65 34 195 164 0\n</Array>"));
 }
 
-}  // namespace
+}  // namespace vtk_image_test

@@ -1,11 +1,11 @@
-#include "apps/export/zip.hpp"
+#include "apps/export/imagej.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "specimen/body/error.hpp"
 
-namespace {
+namespace zip_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -35,4 +35,4 @@ TEST(Zip, NamesTheFileThatItCannotMake) {
   }
 }
 
-}  // namespace
+}  // namespace zip_test

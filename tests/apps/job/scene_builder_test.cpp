@@ -1,10 +1,10 @@
-#include "apps/job/scene_builder.hpp"
+#include "apps/job/job.hpp"
 
 #include <gtest/gtest.h>
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace scene_builder_test {
 
 /// Specimen from rows of digits (labels), pixels of 1 mm.
 specimen::Specimen specimen_of(const std::vector<std::string>& rows) {
@@ -148,4 +148,4 @@ TEST(CropToCells, RefusesASpecimenSmallerThanACell) {
   }
 }
 
-}  // namespace
+}  // namespace scene_builder_test

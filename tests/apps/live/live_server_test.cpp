@@ -8,7 +8,7 @@
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace live_server_test {
 
 /// A server with a fixed page, and a client of it.
 class Server : public testing::Test {
@@ -123,4 +123,4 @@ TEST_F(Server, EndsBesideASilentGuest) {
   close(socket);
 }
 
-}  // namespace
+}  // namespace live_server_test

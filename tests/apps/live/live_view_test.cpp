@@ -8,7 +8,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace live_view_test {
 
 /// The view of a run of 40 pixels a side, and a reader of it.
 class View : public testing::Test {
@@ -99,4 +99,4 @@ TEST_F(View, WaitsForNobodyAtTheEnd) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(400));
 }
 
-}  // namespace
+}  // namespace live_view_test

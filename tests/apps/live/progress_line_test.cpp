@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace {
+namespace progress_line_test {
 
 mpm::HistoryRow some_row() {
   mpm::HistoryRow row;
@@ -67,4 +67,4 @@ TEST(ProgressLine, IsSilentWhereItIsNotWanted) {
   EXPECT_EQ(terminal.str(), "");
 }
 
-}  // namespace
+}  // namespace progress_line_test

@@ -1,9 +1,9 @@
-#include "apps/live/token.hpp"
+#include "apps/live/live_server.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace token_test {
 
 TEST(Token, IsLongAndNeverTheSame) {
   const std::string token = app::random_token();
@@ -21,4 +21,4 @@ TEST(Token, IsTheSameInEveryLetterOnly) {
   EXPECT_FALSE(app::same_secret("", "0123abcd"));
 }
 
-}  // namespace
+}  // namespace token_test

@@ -1,4 +1,4 @@
-#include "apps/live/watching.hpp"
+#include "apps/live/live_view.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "apps/report/report.hpp"
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace watching_test {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -77,4 +77,4 @@ TEST(Watching, ThereMayBeNoFilmYet) {
   EXPECT_TRUE(nlohmann::json::parse(output::watching_update(going_on(run), {})).at("film").is_null());
 }
 
-}  // namespace
+}  // namespace watching_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace {
+namespace command_tree_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -52,4 +52,4 @@ TEST(CommandTree, GroupsStandInTheOrderOfTheHelp) {
   EXPECT_THAT(groups, testing::Not(Contains("")));
 }
 
-}  // namespace
+}  // namespace command_tree_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace {
+namespace completions_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -31,4 +31,4 @@ TEST(Completions, OfZshHidesTheNamesByKey) {
                     HasSubstr("'!(--platen --loading.platen)--loading.platen=[")));
 }
 
-}  // namespace
+}  // namespace completions_test

@@ -7,11 +7,11 @@
 #include <regex>
 
 #include "apps/command/command_line.hpp"
+#include "apps/manual/command_tree.hpp"
 #include "apps/manual/expected_value.hpp"
-#include "apps/manual/help_text.hpp"
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace {
+namespace examples_test {
 
 using manual::Command;
 
@@ -127,4 +127,4 @@ TEST(Examples, WrongOnesWouldBeSeen) {
   EXPECT_THAT(complaint_about("mesopix plott a"), HasSubstr("did you mean plot?"));
 }
 
-}  // namespace
+}  // namespace examples_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace {
+namespace expected_value_test {
 
 using manual::expected;
 using manual::Option;
@@ -75,4 +75,4 @@ TEST(ExpectedValue, NamesByKeyHaveADot) {
   EXPECT_THAT(listed_names(option_named(command_named("simulate"), "--generate.width")), IsEmpty());
 }
 
-}  // namespace
+}  // namespace expected_value_test

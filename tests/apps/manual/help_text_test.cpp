@@ -1,9 +1,9 @@
-#include "apps/manual/help_text.hpp"
+#include "apps/manual/command_tree.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace help_text_test {
 
 using testing::ElementsAre;
 using testing::SizeIs;
@@ -49,4 +49,4 @@ TEST(HelpText, CutsACommandAsAShellDoes) {
   EXPECT_THAT(manual::shell_words("mesopix a # b"), ElementsAre("mesopix", "a"));
 }
 
-}  // namespace
+}  // namespace help_text_test

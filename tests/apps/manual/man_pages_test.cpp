@@ -5,7 +5,7 @@
 
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace {
+namespace man_pages_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -61,4 +61,4 @@ TEST(ManPages, OfScenesHoldsEveryKeyWithWhatItMayBe) {
   EXPECT_THAT(page, HasSubstr("# a scene\n[loading]\n.fi\n"));
 }
 
-}  // namespace
+}  // namespace man_pages_test

@@ -1,8 +1,8 @@
 /// The commands of the program, as the tool that writes the manual sees them.
 #pragma once
 
-#include "apps/manual/command_tree.hpp"
 #include "apps/command/program.hpp"
+#include "apps/manual/command_tree.hpp"
 #ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
 #endif

@@ -7,7 +7,7 @@
 
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace {
+namespace reference_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -58,4 +58,4 @@ TEST(Reference, OfExitCodesHoldsThemAll) {
               AllOf(HasSubstr("| 0 | `EX_OK` |"), HasSubstr("| 75 | `EX_TEMPFAIL` |")));
 }
 
-}  // namespace
+}  // namespace reference_test

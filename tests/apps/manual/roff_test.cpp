@@ -1,9 +1,9 @@
-#include "apps/manual/roff.hpp"
+#include "apps/manual/man_pages.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace roff_test {
 
 using testing::EndsWith;
 using testing::StartsWith;
@@ -42,4 +42,4 @@ TEST(Roff, ParagraphsAreSetApartButFromTheirHeading) {
                                     ".PP\n.RS 4\n.nf\nx\n\\&\n\\&.y\n.fi\n.RE\n"));
 }
 
-}  // namespace
+}  // namespace roff_test

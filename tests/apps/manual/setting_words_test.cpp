@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace setting_words_test {
 
 using manual::SettingWords;
 using testing::HasSubstr;
@@ -54,4 +54,4 @@ TEST(SettingWords, NameTheKeysOfAnEllipse) {
   EXPECT_THAT(manual::about_ellipses(), HasSubstr("[[ellipses]] with x, y, a and b, and with angle where"));
 }
 
-}  // namespace
+}  // namespace setting_words_test

@@ -1,11 +1,11 @@
-#include "apps/report/chart_json.hpp"
+#include "apps/report/report_data.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace chart_json_test {
 
 using output::chart_json;
 using output::inert_text;
@@ -41,4 +41,4 @@ TEST(ChartJson, InertTextEndsNoElement) {
   EXPECT_EQ(nlohmann::json::parse(text)["</script>"], "<b>&\xEF\xBF\xBD");
 }
 
-}  // namespace
+}  // namespace chart_json_test

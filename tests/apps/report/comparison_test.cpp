@@ -5,7 +5,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace comparison_test {
 
 using output::comparison_html;
 using testing::HasSubstr;
@@ -39,4 +39,4 @@ TEST(Comparison, EscapesNamesAndSettings) {
   EXPECT_THAT(page, HasSubstr("\\u003c/script\\u003e"));
 }
 
-}  // namespace
+}  // namespace comparison_test

@@ -1,4 +1,4 @@
-#include "apps/report/curve_csv.hpp"
+#include "apps/report/key_figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "libmpm/scene/history_columns.hpp"
+#include "libmpm/scene/result.hpp"
 
-namespace {
+namespace curve_csv_test {
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -48,4 +48,4 @@ TEST(CurveCsv, ReadsBackAsTheSameNumbers) {
   }
 }
 
-}  // namespace
+}  // namespace curve_csv_test

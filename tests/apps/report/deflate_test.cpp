@@ -1,11 +1,11 @@
-#include "apps/report/deflate.hpp"
+#include "apps/report/report_data.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
 
-namespace {
+namespace deflate_test {
 
 using output::deflated_base64;
 
@@ -21,4 +21,4 @@ TEST(Deflate, TakesTheBytesOfArrays) {
             deflated_base64(std::string_view("aaaaaaaaaa")));
 }
 
-}  // namespace
+}  // namespace deflate_test

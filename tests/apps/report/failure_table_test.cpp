@@ -1,10 +1,10 @@
-#include "apps/report/failure_table.hpp"
+#include "apps/report/key_figures.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace failure_table_test {
 
 using namespace output;
 
@@ -38,4 +38,4 @@ TEST(FailureTable, GivesTheRestToTheExtraPoints) {
   EXPECT_EQ(extra.shear, 60);
 }
 
-}  // namespace
+}  // namespace failure_table_test

@@ -1,4 +1,4 @@
-#include "apps/report/film_data.hpp"
+#include "apps/report/report_data.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -6,7 +6,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace film_data_test {
 
 using output::film_data;
 using output::has_film;
@@ -37,4 +37,4 @@ TEST(FilmData, StrengthsAreLeftOutOfLargePictures) {
 
 TEST(FilmData, ARunThatNeverBeganHasNone) { EXPECT_FALSE(has_film(still_run({"12", "32"}).record())); }
 
-}  // namespace
+}  // namespace film_data_test

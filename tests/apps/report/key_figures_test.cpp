@@ -7,7 +7,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace key_figures_test {
 
 using namespace output;
 using testing::ElementsAre;
@@ -43,4 +43,4 @@ TEST(Notes, EndWithThePicturesThatAreMissing) {
                           "125 % and 150 %."));
 }
 
-}  // namespace
+}  // namespace key_figures_test

@@ -1,9 +1,9 @@
-#include "apps/report/load_words.hpp"
+#include "apps/report/run_words.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace load_words_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -73,4 +73,4 @@ TEST(LoadWords, NameTheKinematics) {
   EXPECT_THAT(output::name_of_kinematics(scene), HasSubstr("APIC"));
 }
 
-}  // namespace
+}  // namespace load_words_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace reference_curves_test {
 
 using namespace output;
 
@@ -62,4 +62,4 @@ TEST(ReferenceCurves, GbNeverRisesBehindThePeak) {
   EXPECT_LE(gb_compression(3, 5e6, 20e9), 1);  // a_c would be negative
 }
 
-}  // namespace
+}  // namespace reference_curves_test

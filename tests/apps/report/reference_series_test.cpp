@@ -1,13 +1,12 @@
-#include "apps/report/reference_series.hpp"
+#include "apps/report/reference_curves.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "apps/report/reference_curves.hpp"
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace reference_series_test {
 
 using output::reference_series;
 using output::Series;
@@ -51,4 +50,4 @@ TEST(ReferenceSeries, AreNoneWithoutPlatensOrAPeak) {
   EXPECT_TRUE(reference_series(still_run({"12", "32"}).record()).empty());
 }
 
-}  // namespace
+}  // namespace reference_series_test

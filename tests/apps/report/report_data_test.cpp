@@ -6,7 +6,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace report_data_test {
 
 using output::report_data;
 
@@ -43,4 +43,4 @@ TEST(ReportData, NumbersThatAreNotFiniteLeaveAGap) {
   EXPECT_TRUE(data["charts"]["stress"]["series"][0]["y"][1].is_null());
 }
 
-}  // namespace
+}  // namespace report_data_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace report_test {
 
 using output::report_html;
 using testing::HasSubstr;
@@ -147,4 +147,4 @@ TEST(Report, IsTheSameForTheSameRun) {
   EXPECT_EQ(report_html(run.record()), report_html(run.record()));
 }
 
-}  // namespace
+}  // namespace report_test

@@ -6,7 +6,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace run_charts_test {
 
 using namespace output;
 
@@ -97,4 +97,4 @@ TEST(FailureStrainChart, EveryFailedPixelIsInOneClass) {
   EXPECT_EQ(sum, static_cast<double>((run.result.failure_mode != std::uint8_t{0}).count()));
 }
 
-}  // namespace
+}  // namespace run_charts_test

@@ -1,11 +1,11 @@
-#include "apps/report/specimen_charts.hpp"
+#include "apps/report/run_charts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 
-namespace {
+namespace specimen_charts_test {
 
 specimen::Specimen with_diameters(const std::vector<double>& diameters) {
   specimen::Specimen specimen;
@@ -47,4 +47,4 @@ TEST(SpecimenCharts, WithoutAggregatesThereIsNoCurve) {
   EXPECT_TRUE(output::sieve_references(with_diameters({5e-3, 5e-3})).empty());  // of one size
 }
 
-}  // namespace
+}  // namespace specimen_charts_test

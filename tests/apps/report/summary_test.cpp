@@ -6,7 +6,7 @@
 
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace summary_test {
 
 using nlohmann::json;
 
@@ -120,4 +120,4 @@ TEST(Summary, HoldsWhatMayBeWrongOnlyWhereThatWasAskedFor) {
   EXPECT_EQ(estimate["sources"][1]["compared_with"], "CFL 0.25");
 }
 
-}  // namespace
+}  // namespace summary_test

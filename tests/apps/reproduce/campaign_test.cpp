@@ -6,10 +6,9 @@
 #include <atomic>
 #include <set>
 
-#include "apps/reproduce/figure_table.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace campaign_test {
 
 using namespace app::reproduce;
 
@@ -83,4 +82,4 @@ TEST(Campaign, TellsHowFarItIs) {
   EXPECT_THAT(told, testing::ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10));
 }
 
-}  // namespace
+}  // namespace campaign_test

@@ -1,8 +1,8 @@
-#include "apps/reproduce/claim.hpp"
+#include "apps/reproduce/figure.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace claim_test {
 
 using namespace app::reproduce;
 
@@ -25,4 +25,4 @@ TEST(Claim, HasAWordForEachVerdict) {
   EXPECT_EQ(word_of(Verdict::depends), "depends");
 }
 
-}  // namespace
+}  // namespace claim_test

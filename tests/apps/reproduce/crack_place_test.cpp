@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace crack_place_test {
 
 using namespace app::reproduce;
 
@@ -73,4 +73,4 @@ TEST(CrackPlace, WithoutFailuresIsNowhere) {
   EXPECT_EQ(crack_beside(square.mask, square.result, aggregate).side, CrackSide::elsewhere);
 }
 
-}  // namespace
+}  // namespace crack_place_test

@@ -7,7 +7,7 @@
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace fig_curves_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(FigCurves, DataAreOfTheRuns) {
   EXPECT_THAT(section.html, HasSubstr("3.00 MPa"));
 }
 
-}  // namespace
+}  // namespace fig_curves_test

@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/reproduce/figure.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace fig_damage_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST(FigDamage, DataAreTheStages) {
   EXPECT_EQ(stages[2]["tension_failures"], 0);
 }
 
-}  // namespace
+}  // namespace fig_damage_test

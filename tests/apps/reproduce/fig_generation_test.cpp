@@ -4,7 +4,7 @@
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace fig_generation_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -32,4 +32,4 @@ TEST(FigGeneration, AnotherSpecimenHasNot) {
   EXPECT_THAT(claim_of(section, "specimen").why, HasSubstr("Not every count"));
 }
 
-}  // namespace
+}  // namespace fig_generation_test

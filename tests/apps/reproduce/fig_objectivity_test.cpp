@@ -6,7 +6,7 @@
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 
-namespace {
+namespace fig_objectivity_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(FigObjectivity, GivesTheChangeOfTheFinest) {
   EXPECT_EQ(data["crack band"]["peak_stress_Pa"].size(), 5U);
 }
 
-}  // namespace
+}  // namespace fig_objectivity_test

@@ -7,7 +7,7 @@
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 
-namespace {
+namespace fig_parameters_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -116,4 +116,4 @@ TEST(FigParameters, DataHoldEveryCase) {
   EXPECT_NEAR(section.data["tension"]["shear_share"][0].get<double>(), 0.1, 1e-12);
 }
 
-}  // namespace
+}  // namespace fig_parameters_test

@@ -4,12 +4,12 @@
 
 #include <limits>
 
-#include "apps/reproduce/figure.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace fig_two_aggregates_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -91,4 +91,4 @@ TEST(FigTwoAggregates, TheCrackDependsOnTheFieldOrDisagrees) {
   EXPECT_EQ(verdict(2), Verdict::disagrees);
 }
 
-}  // namespace
+}  // namespace fig_two_aggregates_test

@@ -4,7 +4,7 @@
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace fig_weibull_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -29,4 +29,4 @@ TEST(FigWeibull, FollowsTheSettingsOfTheStudy) {
   EXPECT_THAT(section.html, HasSubstr("m = 6."));
 }
 
-}  // namespace
+}  // namespace fig_weibull_test

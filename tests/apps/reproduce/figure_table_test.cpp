@@ -1,4 +1,4 @@
-#include "apps/reproduce/figure_table.hpp"
+#include "apps/reproduce/campaign.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace figure_table_test {
 
 using namespace app::reproduce;
 using testing::ElementsAre;
@@ -48,4 +48,4 @@ TEST(FigureTable, NoIdOccursTwice) {
     for (const std::string& id : figure.ids) EXPECT_TRUE(ids.insert(id).second) << id;
 }
 
-}  // namespace
+}  // namespace figure_table_test

@@ -6,7 +6,7 @@
 #include "apps/evidence_commands.hpp"
 #include "tests/apps/program_in_folder.hpp"
 
-namespace {
+namespace reproduce_command_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -40,4 +40,4 @@ TEST_F(ReproduceCommand, RefusesFiguresThatThePaperHasNot) {
   EXPECT_FALSE(fs::exists("runs"));
 }
 
-}  // namespace
+}  // namespace reproduce_command_test

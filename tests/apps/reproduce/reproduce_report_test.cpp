@@ -1,12 +1,11 @@
-#include "apps/reproduce/reproduce_report.hpp"
+#include "apps/reproduce/campaign.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/reproduce/figure_table.hpp"
 #include "tests/apps/reproduce/tiny_study.hpp"
 
-namespace {
+namespace reproduce_report_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -85,4 +84,4 @@ TEST(ReproduceReport, HasNoHeadingForClaimsThatThereAreNot) {
   EXPECT_THAT(report_html(everything()), HasSubstr("<h2>Claims</h2>"));
 }
 
-}  // namespace
+}  // namespace reproduce_report_test

@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "apps/text/complaint.hpp"
-#include "apps/reproduce/paper_scene.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
 #include "tests/libmpm/mean_stress.hpp"
 
-namespace {
+namespace trial_test {
 
 using namespace app::reproduce;
 using testing::HasSubstr;
@@ -132,4 +131,4 @@ TEST(Outcomes, KnowWhatIsDone) {
   EXPECT_FALSE(outcomes.has(tiny("compression")));
 }
 
-}  // namespace
+}  // namespace trial_test

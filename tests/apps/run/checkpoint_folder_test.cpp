@@ -6,7 +6,7 @@
 #include "libmpm/scene/error.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace checkpoint_folder_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -103,4 +103,4 @@ TEST_F(CheckpointFolder, SaysWhereItCannotBeMade) {
   EXPECT_THROW(write(1), mpm::FileError);
 }
 
-}  // namespace
+}  // namespace checkpoint_folder_test

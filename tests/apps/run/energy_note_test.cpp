@@ -1,9 +1,9 @@
-#include "apps/run/energy_note.hpp"
+#include "apps/run/run_remarks.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace energy_note_test {
 
 using testing::HasSubstr;
 
@@ -37,4 +37,4 @@ TEST(EnergyNote, NamesTheChoiceThatLosesEnergy) {
   EXPECT_THAT(note_of(scene, 0.5), HasSubstr("the energy of the flight"));
 }
 
-}  // namespace
+}  // namespace energy_note_test

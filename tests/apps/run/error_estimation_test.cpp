@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "apps/reproduce/trial.hpp"
-#include "apps/job/scene_builder.hpp"
+#include "apps/job/job.hpp"
 #include "apps/job/specimen_source.hpp"
+#include "apps/reproduce/trial.hpp"
 #include "libmpm/run/simulate.hpp"
 
-namespace {
+namespace error_estimation_test {
 
 using testing::ElementsAre;
 
@@ -160,4 +160,4 @@ TEST(ErrorEstimate, BracketsTheErrorOnThePapersSpecimen) {
   }
 }
 
-}  // namespace
+}  // namespace error_estimation_test

@@ -1,11 +1,11 @@
-#include "apps/run/explanation.hpp"
+#include "apps/run/run_remarks.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace explanation_test {
 
 using testing::HasSubstr;
 
@@ -41,4 +41,4 @@ TEST(Explanation, IsCompleteAsJson) {
   EXPECT_FALSE(json["features"][0].contains("s_per_point_update")) << "not measured";
 }
 
-}  // namespace
+}  // namespace explanation_test

@@ -9,7 +9,7 @@
 #include "libmpm/scene/error.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace frame_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -182,4 +182,4 @@ TEST_F(FrameFolder, NamesWhatCannotBeRemoved) {
   EXPECT_THAT(message(run_ / "frames.xdmf", [&] { write(1); }), testing::HasSubstr("cannot be removed"));
 }
 
-}  // namespace
+}  // namespace frame_folder_test

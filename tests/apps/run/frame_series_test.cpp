@@ -1,11 +1,11 @@
-#include "apps/run/frame_series.hpp"
+#include "apps/run/frame_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace frame_series_test {
 
 using testing::HasSubstr;
 
@@ -51,4 +51,4 @@ TEST(FrameXdmf, LeavesOutAFrameWithoutPoints) {
   EXPECT_EQ(xdmf.text(), before);
 }
 
-}  // namespace
+}  // namespace frame_series_test

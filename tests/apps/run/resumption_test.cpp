@@ -1,4 +1,4 @@
-#include "apps/run/resumption.hpp"
+#include "apps/run/run_task.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,12 +9,12 @@
 #include <sstream>
 #include <thread>
 
-#include "apps/system/held_folder.hpp"
 #include "apps/command/program.hpp"
+#include "apps/system/files.hpp"
 #include "libmpm/files/result_file.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace resumption_test {
 
 namespace fs = std::filesystem;
 using app::Exit;
@@ -252,4 +252,4 @@ TEST_F(Resumption, RefusesWhatDoesNotGoTogether) {
                  "--checkpoint-every: soon; must be a time, e.g. \"0.1 ms\"");
 }
 
-}  // namespace
+}  // namespace resumption_test

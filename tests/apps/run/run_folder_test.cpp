@@ -9,17 +9,17 @@
 #include <set>
 #include <sstream>
 
-#include "apps/system/attempts.hpp"
 #include "apps/drawing/damage_picture.hpp"
 #include "apps/drawing/deformed_picture.hpp"
-#include "apps/drawing/picture_scale.hpp"
-#include "libmpm/scene/error.hpp"
+#include "apps/drawing/picture_parts.hpp"
+#include "apps/system/files.hpp"
 #include "libmpm/files/result_file.hpp"
+#include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
-#include "specimen/picture/preview.hpp"
+#include "specimen/picture/picture.hpp"
 #include "tests/apps/fake_run.hpp"
 
-namespace {
+namespace run_folder_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -206,4 +206,4 @@ TEST_F(RunFolder, RespectsAFolderThatMayOnlyBeRead) {
   EXPECT_THROW(write_run(folder_, run.record()), mpm::FileError);
 }
 
-}  // namespace
+}  // namespace run_folder_test

@@ -5,7 +5,7 @@
 #include "apps/text/complaint.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace run_location_test {
 
 namespace fs = std::filesystem;
 
@@ -70,4 +70,4 @@ TEST_F(RunLocation, AFolderThatCannotBeMadeIsAMatterOfTheDisk) {
   }
 }
 
-}  // namespace
+}  // namespace run_location_test

@@ -1,17 +1,17 @@
-#include "apps/run/run_reader.hpp"
+#include "apps/run/run_location.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
-#include "apps/text/complaint.hpp"
-#include "apps/report/report.hpp"
 #include "apps/command/program.hpp"
+#include "apps/report/report.hpp"
+#include "apps/text/complaint.hpp"
 #include "libmpm/scene/error.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace run_reader_test {
 
 namespace fs = std::filesystem;
 
@@ -67,4 +67,4 @@ TEST_F(RunReader, RefusesWhatIsNoRun) {
   EXPECT_THROW((void)app::read_run(run_), mpm::FileError);
 }
 
-}  // namespace
+}  // namespace run_reader_test

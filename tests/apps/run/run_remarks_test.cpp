@@ -5,7 +5,7 @@
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace run_remarks_test {
 
 app::RunRemarks sample() {
   app::RunRemarks remarks;
@@ -44,4 +44,4 @@ TEST(RunRemarks, RefuseWhatIsNone) {
   }
 }
 
-}  // namespace
+}  // namespace run_remarks_test

@@ -5,12 +5,12 @@
 #include <atomic>
 #include <cmath>
 
-#include "apps/job/scene_builder.hpp"
-#include "libmpm/scene/error.hpp"
+#include "apps/job/job.hpp"
 #include "libmpm/run/simulate.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/apps/small_specimen.hpp"
 
-namespace {
+namespace seed_runs_test {
 
 using app::RunEnd;
 using app::SeedRun;
@@ -81,4 +81,4 @@ TEST(SeedRuns, SpreadRoundTheirMean) {
   EXPECT_EQ(app::spread_of({runs[0]}, &SeedRun::peak_stress).deviation, 0);
 }
 
-}  // namespace
+}  // namespace seed_runs_test

@@ -5,14 +5,14 @@
 
 #include <limits>
 
-#include "apps/text/complaint.hpp"
 #include "apps/run/frame_folder.hpp"
+#include "apps/text/complaint.hpp"
 #include "libmpm/files/frame_file.hpp"
-#include "tests/apps/fake_run.hpp"
 #include "tests/apps/drawn.hpp"
+#include "tests/apps/fake_run.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace stress_plot_test {
 
 using app::Exit;
 using testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST_F(StressPlot, RefusesStressesThatAreNoNumbers) {
   EXPECT_THAT(refused(), HasSubstr("holds a stress that is no number"));
 }
 
-}  // namespace
+}  // namespace stress_plot_test

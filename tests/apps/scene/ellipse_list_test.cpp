@@ -7,7 +7,7 @@
 #include "tests/apps/refusal.hpp"
 #include "tests/damaged.hpp"
 
-namespace {
+namespace ellipse_list_test {
 
 std::vector<specimen::Ellipse> parse(const std::string& text) {
   return app::parse_ellipse_list(text, "list.csv");
@@ -101,4 +101,4 @@ TEST(EllipseList, AMissingFileIsAMatterOfTheDisk) {
   }
 }
 
-}  // namespace
+}  // namespace ellipse_list_test

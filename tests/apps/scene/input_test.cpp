@@ -7,7 +7,7 @@
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace app {
-namespace {
+namespace input_test {
 
 TEST(Input, IsToldByItsContent) {
   const test::TemporaryFolder folder;
@@ -35,5 +35,5 @@ TEST(Input, RefusesFolders) {
   }
 }
 
-}  // namespace
+}  // namespace input_test
 }  // namespace app

@@ -1,10 +1,10 @@
-#include "apps/scene/scene_differences.hpp"
+#include "apps/scene/scene_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace scene_differences_test {
 
 using app::scene_differences;
 
@@ -34,4 +34,4 @@ TEST(SceneDifferences, RefusesWhatIsNoScene) {
       << "a parser that calls itself would crash";
 }
 
-}  // namespace
+}  // namespace scene_differences_test

@@ -5,7 +5,7 @@
 
 #include "tests/damaged.hpp"
 
-namespace {
+namespace scene_file_test {
 
 using testing::ElementsAre;
 
@@ -231,4 +231,4 @@ TEST(Locate, PutsAComplaintOfTheLibrariesWhereTheUserWroteTheValue) {
             "generate.gap: 1 mm; too much");
 }
 
-}  // namespace
+}  // namespace scene_file_test

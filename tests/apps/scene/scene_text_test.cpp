@@ -6,7 +6,7 @@
 #include "apps/scene/scene_file.hpp"
 #include "apps/settings/schema.hpp"
 
-namespace {
+namespace scene_text_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -152,4 +152,4 @@ TEST(SceneText, TellsWhatEachSettingIs) {
   EXPECT_THAT(toml, HasSubstr("# smooth lets the specimen slide sideways, rough holds it (smooth|rough)\n"));
 }
 
-}  // namespace
+}  // namespace scene_text_test

@@ -1,10 +1,10 @@
-#include "apps/scene/toml_nesting.hpp"
+#include "apps/scene/toml.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/apps/refusal.hpp"
 
-namespace {
+namespace toml_nesting_test {
 
 std::string many(const std::string& part, int count) {
   std::string text;
@@ -48,4 +48,4 @@ TEST(TomlNesting, KnowsWhereAStringEnds) {
   EXPECT_EQ(verdict("a = \"\"\"\n" + deep + "\n\"\"\""), "nothing") << "all of it a string";
 }
 
-}  // namespace
+}  // namespace toml_nesting_test

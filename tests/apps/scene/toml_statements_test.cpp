@@ -1,11 +1,9 @@
-#include "apps/scene/toml_statements.hpp"
+#include "apps/scene/toml.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/scene/toml_value.hpp"
-
-namespace {
+namespace toml_statements_test {
 
 using testing::ElementsAre;
 
@@ -67,4 +65,4 @@ TEST(Parseable, GivesUpInTheEnd) {
   EXPECT_EQ(left_of(std::string(2 << 20, '#') + "\na b\nc d\n").lines.size(), 1u);
 }
 
-}  // namespace
+}  // namespace toml_statements_test

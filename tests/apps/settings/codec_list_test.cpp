@@ -3,7 +3,7 @@
 #include "apps/settings/codec.hpp"
 #include "tests/apps/complaint_about.hpp"
 
-namespace {
+namespace codec_list_test {
 
 using app::complaint_about;
 using app::Value;
@@ -79,4 +79,4 @@ TEST(SizeClasses, AreSortedAndMustAddUp) {
             "\"5 mm\" does not fit; write each class as \"5 mm .. 10 mm: 40 %\"");
 }
 
-}  // namespace
+}  // namespace codec_list_test

@@ -6,7 +6,7 @@
 
 #include "tests/apps/complaint_about.hpp"
 
-namespace {
+namespace codec_test {
 
 using app::complaint_about;
 using app::Value;
@@ -114,4 +114,4 @@ TEST(FromCommandLine, GuessesNothingButTheKind) {
   EXPECT_EQ(app::from_command_line(app::Kind::list, ""), Value{List{}});
 }
 
-}  // namespace
+}  // namespace codec_test

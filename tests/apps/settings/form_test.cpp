@@ -4,7 +4,7 @@
 
 #include "apps/settings/schema.hpp"
 
-namespace {
+namespace form_test {
 
 std::string allowed(const char* key) { return text(app::find_field(key)->form); }
 
@@ -32,4 +32,4 @@ TEST(Bounds, SayTheirRange) {
   EXPECT_EQ(app::up_to(0, 1).text(app::Dimension::ratio), "must lie in (0, 1]");
 }
 
-}  // namespace
+}  // namespace form_test

@@ -5,7 +5,7 @@
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace offer_test {
 
 using app::key_named;
 using testing::StrEq;
@@ -53,4 +53,4 @@ TEST(Offer, RefusesWhatItHasNot) {
               StrEq("loading.velocity: has no effect here; remove it"));
 }
 
-}  // namespace
+}  // namespace offer_test

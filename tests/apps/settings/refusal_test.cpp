@@ -1,20 +1,20 @@
-#include "apps/settings/refusal.hpp"
+#include "apps/settings/assignment.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <new>
 
-#include "apps/system/attempts.hpp"
+#include "apps/system/files.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
 
-namespace {
+namespace refusal_test {
 
 using app::Exit;
 
 app::Rejected refusal_of(const auto& exception, const app::Origins& origins = {}) {
-  return app::refusal_of(std::make_exception_ptr(exception), origins);
+  return app::refusal_of(std::make_exception_ptr(exception), app::located_by(origins));
 }
 
 TEST(Refusal, TellsKindsOfFaultsApart) {
@@ -46,4 +46,4 @@ TEST(Refusal, StandsWhereTheUserSetIt) {
                "scene.toml:3:7: solver.cfl: 2; must be <= 1");
 }
 
-}  // namespace
+}  // namespace refusal_test

@@ -7,7 +7,7 @@
 #include "apps/command/command_line.hpp"
 #include "specimen/pack/grading.hpp"
 
-namespace {
+namespace schema_test {
 
 using app::Settings;
 using app::Value;
@@ -253,4 +253,4 @@ TEST(WhyUnused, LooksForAnEdgeThatTheGridReachesBeyond) {
   EXPECT_EQ(app::why_unused("motion.margin", settings), "");
 }
 
-}  // namespace
+}  // namespace schema_test

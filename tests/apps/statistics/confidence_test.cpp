@@ -1,10 +1,10 @@
-#include "apps/statistics/confidence.hpp"
+#include "apps/statistics/statistics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace confidence_test {
 
 using namespace app;
 
@@ -32,4 +32,4 @@ TEST(Confidence, NeedsTheLeastNumberThatIsEnough) {
   EXPECT_EQ(values_needed({5, 10, 0, 0}, 0.02), 2U);
 }
 
-}  // namespace
+}  // namespace confidence_test

@@ -7,7 +7,7 @@
 
 #include "tests/apps/triangle.hpp"
 
-namespace {
+namespace curve_test {
 
 using namespace app;
 using testing::DoubleNear;
@@ -70,4 +70,4 @@ TEST(Curve, DropIsWhereHalfThePeakIsLost) {
   EXPECT_TRUE(std::isnan(drop_ratio(unbroken, 0.5)));
 }
 
-}  // namespace
+}  // namespace curve_test

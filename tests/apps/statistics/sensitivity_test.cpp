@@ -1,14 +1,14 @@
-#include "apps/statistics/sensitivity.hpp"
+#include "apps/statistics/influences.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "apps/study/study_points.hpp"
-#include "specimen/body/random.hpp"
+#include "apps/study/study_members.hpp"
+#include "specimen/body/raster.hpp"
 
-namespace {
+namespace sensitivity_test {
 
 using namespace app;
 
@@ -69,4 +69,4 @@ TEST(Sensitivity, SignificanceIsThatOfStudent) {
   EXPECT_TRUE(std::isnan(significance_of(std::nan(""), 30)));
 }
 
-}  // namespace
+}  // namespace sensitivity_test

@@ -1,10 +1,10 @@
-#include "apps/statistics/size_effect.hpp"
+#include "apps/statistics/influences.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace size_effect_test {
 
 using namespace app;
 
@@ -29,4 +29,4 @@ TEST(SizeEffect, SaysWhenThereIsNone) {
   EXPECT_LT(fit.determination, 0.5);
 }
 
-}  // namespace
+}  // namespace size_effect_test

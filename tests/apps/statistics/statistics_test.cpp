@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace statistics_test {
 
 using namespace app;
 
@@ -51,4 +51,4 @@ TEST(Statistics, QuantilesLieBetweenValues) {
   EXPECT_TRUE(std::isnan(quantile_of({}, 0.5)));
 }
 
-}  // namespace
+}  // namespace statistics_test

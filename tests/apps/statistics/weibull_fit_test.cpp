@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "libmpm/material/strength.hpp"
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
-namespace {
+namespace weibull_fit_test {
 
 using namespace app;
 using testing::DoubleNear;
@@ -105,4 +105,4 @@ TEST(WeibullFit, ErrorsAreThoseOfRepeatedSamples) {
   }
 }
 
-}  // namespace
+}  // namespace weibull_fit_test

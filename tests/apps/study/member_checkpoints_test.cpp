@@ -1,16 +1,16 @@
-#include "apps/study/member_checkpoints.hpp"
+#include "apps/study/study_run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "apps/job/scene_builder.hpp"
+#include "apps/job/job.hpp"
 #include "apps/job/specimen_source.hpp"
 #include "apps/study/study_members.hpp"
 #include "libmpm/files/result_file.hpp"
 #include "tests/apps/small_study.hpp"
 
-namespace {
+namespace member_checkpoints_test {
 
 namespace fs = std::filesystem;
 using namespace app;
@@ -96,4 +96,4 @@ TEST_F(MemberCheckpointsTest, GoOnceTheResultIsKept) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
-}  // namespace
+}  // namespace member_checkpoints_test

@@ -1,4 +1,4 @@
-#include "apps/study/slurm_job.hpp"
+#include "apps/study/slurm.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "apps/system/other_program.hpp"
+#include "apps/system/processes.hpp"
 
-namespace {
+namespace slurm_job_test {
 
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ TEST_F(SlurmScript, EndsForGoodWhenItIsCancelled) {
 
 TEST_F(SlurmScript, TellsOfAProgramThatWasKilled) { EXPECT_EQ(run("kill -9 $$").code, 137); }
 
-}  // namespace
+}  // namespace slurm_job_test

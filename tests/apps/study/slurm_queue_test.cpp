@@ -1,4 +1,4 @@
-#include "apps/study/slurm_queue.hpp"
+#include "apps/study/slurm.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include "libmpm/files/replace_file.hpp"
 #include "tests/apps/fake_slurm.hpp"
 
-namespace {
+namespace slurm_queue_test {
 
 using namespace app;
 
@@ -59,4 +59,4 @@ TEST_F(SlurmQueue, CountsTasksByState) {
   EXPECT_TRUE(tasks_in_queue("12").empty()) << "Slurm has forgotten it";
 }
 
-}  // namespace
+}  // namespace slurm_queue_test

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace {
+namespace study_charts_test {
 
 using namespace app;
 using output::Chart;
@@ -115,4 +115,4 @@ TEST(StudyCharts, SizesStandOnLogarithmicAxes) {
   EXPECT_NEAR(chart.series[1].y.front(), 4 / std::sqrt(2), 1e-9);
 }
 
-}  // namespace
+}  // namespace study_charts_test

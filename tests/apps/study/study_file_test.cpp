@@ -6,7 +6,7 @@
 #include "apps/study/study_values.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace study_file_test {
 
 using namespace app;
 using testing::ElementsAre;
@@ -127,4 +127,4 @@ TEST(StudyFile, RefusesASceneThatIsNotValid) {
   EXPECT_THROW((void)read_study(folder / "study.toml"), Rejected);
 }
 
-}  // namespace
+}  // namespace study_file_test

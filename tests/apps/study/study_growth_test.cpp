@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace study_growth_test {
 
 using namespace app;
 using testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(StudyGrowth, PointsAreEstimatedOnTheirOwn) {
   EXPECT_EQ(largest_half_width(estimates), estimates[0].relative_half_width());
 }
 
-}  // namespace
+}  // namespace study_growth_test

@@ -1,8 +1,8 @@
-#include "apps/study/study_line.hpp"
+#include "apps/study/study_outcome.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace study_line_test {
 
 using app::study_text;
 
@@ -12,4 +12,4 @@ TEST(StudyLine, TellsCountFailuresAndTimeLeft) {
   EXPECT_EQ(study_text({100, 0, 9, 1}, 60), "10 of 100 members   1 failed   9 min left");
 }
 
-}  // namespace
+}  // namespace study_line_test

@@ -7,7 +7,7 @@
 
 #include "tests/apps/small_study.hpp"
 
-namespace {
+namespace study_members_test {
 
 using namespace app;
 using testing::HasSubstr;
@@ -126,4 +126,4 @@ TEST(StudyMembers, ScenesNameNoFolders) {
   EXPECT_THAT(member_scene(settings), Not(HasSubstr("title")));
 }
 
-}  // namespace
+}  // namespace study_members_test

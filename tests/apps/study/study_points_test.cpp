@@ -1,4 +1,4 @@
-#include "apps/study/study_points.hpp"
+#include "apps/study/study_members.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "apps/study/study_file.hpp"
 #include "apps/study/study_values.hpp"
 
-namespace {
+namespace study_points_test {
 
 using namespace app;
 using testing::ElementsAre;
@@ -90,4 +90,4 @@ TEST(StudyPoints, RefusesAGridOfFarTooManyPoints) {
   }
 }
 
-}  // namespace
+}  // namespace study_points_test

@@ -9,7 +9,7 @@
 #include "tests/apps/small_study.hpp"
 #include "tests/apps/triangle.hpp"
 
-namespace {
+namespace study_results_test {
 
 using namespace app;
 
@@ -69,4 +69,4 @@ TEST_F(StudyResultsOf, CountNothingWherePicturesDiffer) {
   EXPECT_EQ(read_results(folder_, members_).cracks.failures.size(), 0);
 }
 
-}  // namespace
+}  // namespace study_results_test

@@ -7,11 +7,11 @@
 
 #include "apps/study/study_report.hpp"
 #include "apps/study/study_results.hpp"
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/result_file.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/apps/small_study.hpp"
 
-namespace {
+namespace study_run_test {
 
 using namespace app;
 using testing::HasSubstr;
@@ -127,4 +127,4 @@ TEST_F(StudyRun, RefusesAResultThatIsNotThatOfTheMember) {
   EXPECT_THROW((void)read_results(folder_, members_), mpm::FileError);
 }
 
-}  // namespace
+}  // namespace study_run_test

@@ -9,7 +9,7 @@
 #include "apps/study/study_values.hpp"
 #include "tests/apps/small_study.hpp"
 
-namespace {
+namespace study_sections_test {
 
 using namespace app;
 using testing::AllOf;
@@ -107,4 +107,4 @@ TEST_F(StudySections, TellsOfFailuresAndOfNothingElseWhenAllFailed) {
                           Not(HasSubstr("<h2>Peaks"))));
 }
 
-}  // namespace
+}  // namespace study_sections_test

@@ -1,4 +1,4 @@
-#include "apps/study/study_specimens.hpp"
+#include "apps/study/study_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "specimen/body/error.hpp"
 
-namespace {
+namespace study_specimens_test {
 
 using namespace app;
 
@@ -60,4 +60,4 @@ TEST(StudySpecimens, AllHearWhyOneCannotBeMade) {
   EXPECT_THROW((void)store.of(full), specimen::Error);
 }
 
-}  // namespace
+}  // namespace study_specimens_test

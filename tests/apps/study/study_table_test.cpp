@@ -1,11 +1,11 @@
-#include "apps/study/study_table.hpp"
+#include "apps/study/study_results.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/apps/small_study.hpp"
 
-namespace {
+namespace study_table_test {
 
 using namespace app;
 using testing::HasSubstr;
@@ -38,4 +38,4 @@ TEST(StudyTable, QuotesTextsThatHoldCommas) {
   EXPECT_EQ(table_csv({column}), "a_J_per_m\nx\n\"y, z\"\n\"say \"\"so\"\"\"\n");
 }
 
-}  // namespace
+}  // namespace study_table_test

@@ -7,7 +7,7 @@
 
 #include "apps/study/study_file.hpp"
 
-namespace {
+namespace study_values_test {
 
 using namespace app;
 using testing::ElementsAre;
@@ -79,4 +79,4 @@ TEST(StudyValues, HaveUnitsThatPeopleRead) {
   EXPECT_EQ(readable_unit(parameter("\"solver.cfl\" = [0.5]")).name, "");
 }
 
-}  // namespace
+}  // namespace study_values_test

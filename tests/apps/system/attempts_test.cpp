@@ -1,11 +1,11 @@
-#include "apps/system/attempts.hpp"
+#include "apps/system/files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "specimen/body/error.hpp"
 
-namespace {
+namespace attempts_test {
 
 TEST(Attempts, TriesEveryWriteWhateverBecameOfThoseBefore) {
   Attempts attempt;
@@ -43,4 +43,4 @@ TEST(Attempts, LetsWhatIsNoFaultOfTheDiskPass) {
   EXPECT_NO_THROW(attempt.conclude());
 }
 
-}  // namespace
+}  // namespace attempts_test

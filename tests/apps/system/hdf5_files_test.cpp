@@ -5,14 +5,14 @@
 #include <cstring>
 
 #include "apps/text/complaint.hpp"
-#include "libmpm/scene/error.hpp"
 #include "libmpm/files/frame_file.hpp"
 #include "libmpm/files/result_file.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/damaged.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace hdf5_files_test {
 
 class Hdf5Files : public testing::Test {
  protected:
@@ -82,4 +82,4 @@ TEST_F(Hdf5Files, DamagedAreReadOrRefused) {
   EXPECT_GT(refusals(1009, app::read_frame), 0);
 }
 
-}  // namespace
+}  // namespace hdf5_files_test

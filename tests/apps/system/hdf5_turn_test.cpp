@@ -1,4 +1,4 @@
-#include "apps/system/hdf5_turn.hpp"
+#include "apps/system/hdf5_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace hdf5_turn_test {
 
 TEST(Hdf5Turn, IsHadByOneThreadAtATime) {
   std::atomic<int> inside = 0, most = 0;
@@ -25,4 +25,4 @@ TEST(Hdf5Turn, IsHadByOneThreadAtATime) {
   EXPECT_EQ(most, 1);
 }
 
-}  // namespace
+}  // namespace hdf5_turn_test

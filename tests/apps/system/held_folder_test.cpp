@@ -1,4 +1,4 @@
-#include "apps/system/held_folder.hpp"
+#include "apps/system/files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "libmpm/scene/error.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace held_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -68,4 +68,4 @@ TEST_F(HeldFolder, AFolderThatIsNotThereIsAMatterOfTheDisk) {
   EXPECT_THROW(app::HeldFolder(folder() / "missing"), mpm::FileError);
 }
 
-}  // namespace
+}  // namespace held_folder_test

@@ -1,10 +1,10 @@
-#include "apps/system/interrupt.hpp"
+#include "apps/system/processes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 
-namespace {
+namespace interrupt_test {
 
 TEST(InterruptGuard, NotesTheFirstSignalOnly) {
   const app::InterruptGuard guard;
@@ -41,4 +41,4 @@ TEST(InterruptGuard, GoesOnWhenNobodyReadsAnyMore) {
   EXPECT_EQ(std::signal(SIGPIPE, SIG_DFL), SIG_DFL) << "only as long as it lives";
 }
 
-}  // namespace
+}  // namespace interrupt_test

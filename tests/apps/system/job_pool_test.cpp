@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace {
+namespace job_pool_test {
 
 using app::run_jobs;
 using testing::ElementsAre;
@@ -86,4 +86,4 @@ TEST(JobPool, HasNothingToDoWithoutJobs) { EXPECT_EQ(run_jobs({}, 2), 0U); }
 
 TEST(JobPool, ThereIsACore) { EXPECT_GE(app::core_count(), 1); }
 
-}  // namespace
+}  // namespace job_pool_test

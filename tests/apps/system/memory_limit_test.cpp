@@ -1,8 +1,8 @@
-#include "apps/system/memory_limit.hpp"
+#include "apps/system/processes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace memory_limit_test {
 
 using app::memory_to_take;
 
@@ -31,4 +31,4 @@ TEST(MemoryLimitDeathTest, TurnsTooLargeAWishIntoAnError) {
 }
 #endif
 
-}  // namespace
+}  // namespace memory_limit_test

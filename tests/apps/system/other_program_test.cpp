@@ -1,10 +1,10 @@
-#include "apps/system/other_program.hpp"
+#include "apps/system/processes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace other_program_test {
 
 using app::run_other_program;
 
@@ -49,4 +49,4 @@ TEST(OtherProgram, TellsWhereThisOneIs) {
   EXPECT_NE(path.find("_tests"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace other_program_test

@@ -1,10 +1,10 @@
-#include "apps/system/terminal_line.hpp"
+#include "apps/system/terminal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-namespace {
+namespace terminal_line_test {
 
 TEST(TerminalLine, IsWrittenOverAndWipedAtTheEnd) {
   std::ostringstream terminal;
@@ -29,4 +29,4 @@ TEST(TerminalLine, SaysNothingWhereThereIsNoTerminal) {
   EXPECT_EQ(terminal.str(), "");
 }
 
-}  // namespace
+}  // namespace terminal_line_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace terminal_test {
 
 using app::terminal_with;
 
@@ -37,4 +37,4 @@ TEST(Terminal, HeadingsStandOutInAHelp) {
   EXPECT_EQ(app::in_red("mesopix:", false), "mesopix:");
 }
 
-}  // namespace
+}  // namespace terminal_test

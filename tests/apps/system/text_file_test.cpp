@@ -1,11 +1,11 @@
-#include "apps/system/text_file.hpp"
+#include "apps/system/files.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/apps/refusal.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace text_file_test {
 
 std::string message(const std::string& path, std::size_t longest) {
   return test::refusal([&] { (void)app::read_text_file(path, longest); });
@@ -41,4 +41,4 @@ TEST(TextFile, SaysWhyItCannotBeRead) {
   EXPECT_EQ(message(folder / "", 1), folder / "" + ": is a folder; must be a file that can be read");
 }
 
-}  // namespace
+}  // namespace text_file_test

@@ -1,4 +1,4 @@
-#include "apps/system/trial.hpp"
+#include "apps/system/hdf5_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "tests/apps/refusal.hpp"
 
-namespace {
+namespace trial_test {
 
 std::string verdict(const std::function<void()>& read) {
   return test::refusal([&] { app::try_reading("file.h5", read, 1); });
@@ -52,4 +52,4 @@ TEST(Trial, ThatTheUserEndsSaysNothingOfTheFile) {
   EXPECT_EQ(verdict([] { std::raise(SIGTERM); }), "nothing");
 }
 
-}  // namespace
+}  // namespace trial_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace complaint_test {
 
 TEST(Complaint, NamesPlaceFieldValueAllowedAndCure) {
   app::Complaint one = app::complaint("loading.velocity", "0.05", "needs a unit", "write it");
@@ -62,4 +62,4 @@ TEST(Rejected, TellsEveryComplaint) {
   EXPECT_STREQ(rejected.what(), "a: 1\nb: 2");
 }
 
-}  // namespace
+}  // namespace complaint_test

@@ -1,8 +1,8 @@
-#include "apps/text/csv_cells.hpp"
+#include "apps/text/text_parts.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace csv_cells_test {
 
 TEST(CsvCells, TellsWhereEachBegins) {
   const auto cells = app::csv_cells(" a ,b c,,\td");
@@ -16,4 +16,4 @@ TEST(CsvCells, TellsWhereEachBegins) {
   EXPECT_EQ(cells[3].column, 11);
 }
 
-}  // namespace
+}  // namespace csv_cells_test

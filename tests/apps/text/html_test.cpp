@@ -1,8 +1,8 @@
-#include "apps/text/html.hpp"
+#include "apps/text/markup.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace html_test {
 
 TEST(Escape, TakesTheMeaningFromEveryMark) {
   EXPECT_EQ(output::escape("</script><script>alert(1)</script>"),
@@ -43,4 +43,4 @@ TEST(PngAddress, EncodesTheTestVectorsOfTheStandard) {
   EXPECT_EQ(output::png_address("\xFB\xFF\xFE"), head + "+//+");
 }
 
-}  // namespace
+}  // namespace html_test

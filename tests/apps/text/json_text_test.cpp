@@ -1,10 +1,10 @@
-#include "apps/text/json_text.hpp"
+#include "apps/text/markup.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace json_text_test {
 
 TEST(JsonText, IsIndentedAndEndsItsLine) {
   EXPECT_EQ(app::json_text({{"b", 1}, {"a", {2, 3}}}), "{\n  \"b\": 1,\n  \"a\": [\n    2,\n    3\n  ]\n}\n");
@@ -21,4 +21,4 @@ TEST(JsonText, HoldsNothingThatATerminalObeysAndSaysTheSame) {
 
 TEST(JsonText, ReplacesWhatIsNoText) { EXPECT_EQ(app::json_text("caf\xE9"), "\"caf\xEF\xBF\xBD\"\n"); }
 
-}  // namespace
+}  // namespace json_text_test

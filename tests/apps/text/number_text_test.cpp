@@ -1,4 +1,4 @@
-#include "apps/text/number_text.hpp"
+#include "apps/text/quantity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <random>
 
-namespace {
+namespace number_text_test {
 
 TEST(FormatNumber, IsPlainWhereItIsShort) {
   EXPECT_EQ(app::format_number(0.0004), "0.0004");
@@ -39,4 +39,4 @@ TEST(FormatShifted, MovesThePointAndKeepsTheDigits) {
   EXPECT_EQ(app::format_shifted(0, 3), "0");
 }
 
-}  // namespace
+}  // namespace number_text_test

@@ -10,7 +10,7 @@
 
 #include "apps/text/complaint.hpp"
 
-namespace {
+namespace quantity_test {
 
 using app::Dimension;
 using app::format_quantity;
@@ -141,4 +141,4 @@ TEST(IsUnit, KnowsItsDimension) {
   EXPECT_FALSE(app::is_unit("", Dimension::length));
 }
 
-}  // namespace
+}  // namespace quantity_test

@@ -1,8 +1,8 @@
-#include "apps/text/shell_word.hpp"
+#include "apps/text/text_parts.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace shell_word_test {
 
 TEST(ShellWord, HasQuotesWhereItNeedsThem) {
   EXPECT_EQ(app::shell_word("runs/a-2_b.c,d:e=f+1"), "runs/a-2_b.c,d:e=f+1");
@@ -11,4 +11,4 @@ TEST(ShellWord, HasQuotesWhereItNeedsThem) {
   EXPECT_EQ(app::shell_word(""), "''");
 }
 
-}  // namespace
+}  // namespace shell_word_test

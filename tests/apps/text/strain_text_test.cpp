@@ -1,8 +1,8 @@
-#include "apps/text/strain_text.hpp"
+#include "apps/text/figures.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace strain_text_test {
 
 TEST(StrainText, IsInPercentFromOnePercentOn) {
   EXPECT_EQ(app::strain_text(940.27e-6), "940.3e-6");
@@ -11,4 +11,4 @@ TEST(StrainText, IsInPercentFromOnePercentOn) {
   EXPECT_EQ(app::strain_text(0.023128), "2.313 %");
 }
 
-}  // namespace
+}  // namespace strain_text_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace text_parts_test {
 
 TEST(Trimmed, TakesBlanksFromTheEndsOnly) {
   EXPECT_EQ(app::trimmed(" \t5 mm \t"), "5 mm");
@@ -18,4 +18,4 @@ TEST(WholeNumber, IsTheWholeText) {
     EXPECT_EQ(app::whole_number(text), std::nullopt) << '"' << text << '"';
 }
 
-}  // namespace
+}  // namespace text_parts_test

@@ -1,4 +1,4 @@
-#include "apps/text/text.hpp"
+#include "apps/text/figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace text_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -97,4 +97,4 @@ TEST(Listed, ReadsAsASentence) {
   EXPECT_EQ(output::listed(std::vector<std::string>{"a", "b", "c"}), "a, b and c");
 }
 
-}  // namespace
+}  // namespace text_test

@@ -1,4 +1,4 @@
-#include "apps/twin/twin_charts.hpp"
+#include "apps/twin/twin_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "tests/apps/small_twins.hpp"
 
 namespace app {
-namespace {
+namespace twin_charts_test {
 
 const output::Series& named(const output::Chart& chart, const std::string& name) {
   return *std::find_if(chart.series.begin(), chart.series.end(),
@@ -64,5 +64,5 @@ TEST(TwinCharts, OfASingleTwinHaveNoBand) {
   EXPECT_EQ(size_chart(task, test::small_twins(task)).series.size(), 2u);
 }
 
-}  // namespace
+}  // namespace twin_charts_test
 }  // namespace app

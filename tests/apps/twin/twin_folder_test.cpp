@@ -11,7 +11,7 @@
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace app {
-namespace {
+namespace twin_folder_test {
 
 using testing::HasSubstr;
 
@@ -51,5 +51,5 @@ TEST(TwinFolder, LosesTwinsOfAnEarlierRunAndNothingElse) {
   EXPECT_TRUE(std::filesystem::exists(folder / "mine.txt"));
 }
 
-}  // namespace
+}  // namespace twin_folder_test
 }  // namespace app

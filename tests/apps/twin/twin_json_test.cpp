@@ -1,4 +1,4 @@
-#include "apps/twin/twin_json.hpp"
+#include "apps/twin/twin_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "apps/text/number_text.hpp"
+#include "apps/text/quantity.hpp"
 #include "tests/apps/small_twins.hpp"
 
 namespace app {
-namespace {
+namespace twin_json_test {
 
 TEST(TwinJson, HoldsFiguresCurvesAndMisfits) {
   const TwinTask task = test::small_task();
@@ -56,5 +56,5 @@ TEST(TwinJson, HasATableWithALineForEachSpecimen) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(lines[0].begin(), lines[0].end(), ','));
 }
 
-}  // namespace
+}  // namespace twin_json_test
 }  // namespace app

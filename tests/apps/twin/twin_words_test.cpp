@@ -8,7 +8,7 @@
 #include "tests/apps/small_twins.hpp"
 
 namespace app {
-namespace {
+namespace twin_words_test {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -99,5 +99,5 @@ TEST(TwinWords, NameWhatWasMade) {
   EXPECT_EQ(twins_text(task, 1), "1 twin of cut, 40 mm x 40 mm, pixels of 0.5 mm, seed 5");
 }
 
-}  // namespace
+}  // namespace twin_words_test
 }  // namespace app

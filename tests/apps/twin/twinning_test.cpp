@@ -8,7 +8,7 @@
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace app {
-namespace {
+namespace twinning_test {
 
 TEST(Twinning, NamesItsFilesInOrder) {
   EXPECT_EQ(twin_file(1), "twin_001.h5");
@@ -53,5 +53,5 @@ TEST(Twinning, KeepsWhatWasMadeWhenStopped) {
   }
 }
 
-}  // namespace
+}  // namespace twinning_test
 }  // namespace app

@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "libmpm/scene/error.hpp"
-#include "libmpm/solver/sha256.hpp"
+#include "libmpm/solver/checkpoint.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace checkpoint_file_test {
 
 using mpm::Checkpoint;
 using testing::HasSubstr;
@@ -148,4 +148,4 @@ TEST_F(CheckpointFile, SaysWhereItCannotBeWritten) {
   }
 }
 
-}  // namespace
+}  // namespace checkpoint_file_test

@@ -6,7 +6,7 @@
 
 #include "tests/libmpm/sample_frames.hpp"
 
-namespace {
+namespace frame_file_read_test {
 
 namespace fs = std::filesystem;
 using samples::odd_frame;
@@ -112,4 +112,4 @@ TEST_F(FrameFileRead, RefusesNumbersThatMeanNothing) {
               HasSubstr("dataset strain holds no number"));
 }
 
-}  // namespace
+}  // namespace frame_file_read_test

@@ -12,7 +12,7 @@
 #include "libmpm/scene/error.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace frame_file_test {
 
 namespace fs = std::filesystem;
 
@@ -112,4 +112,4 @@ TEST_F(FrameFile, NamesTheFileThatCannotBeWritten) {
   }
 }
 
-}  // namespace
+}  // namespace frame_file_test

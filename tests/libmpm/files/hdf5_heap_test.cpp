@@ -1,5 +1,5 @@
 // The heap of the texts in a result file, with lengths that HDF5 itself would follow anywhere.
-#include "libmpm/files/hdf5_heap.hpp"
+#include "libmpm/files/hdf5_read.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/libmpm/sample_results.hpp"
 
-namespace {
+namespace hdf5_heap_test {
 
 using mpm::hdf5::heaps_are_sound;
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST_F(Hdf5Heap, OfAFileThatIsNotThereIsNoMatterOfTheHeap) {
   EXPECT_TRUE(heaps_are_sound(folder_ / "none.h5"));
 }
 
-}  // namespace
+}  // namespace hdf5_heap_test

@@ -10,7 +10,7 @@
 
 #include "tests/libmpm/sample_frames.hpp"
 
-namespace {
+namespace hdf5_read_test {
 
 namespace fs = std::filesystem;
 using samples::Creation;
@@ -193,4 +193,4 @@ TEST_F(Hdf5Read, NoticesAFlippedBit) {
   EXPECT_THAT(complaint(), HasSubstr("dataset stress is damaged"));
 }
 
-}  // namespace
+}  // namespace hdf5_read_test

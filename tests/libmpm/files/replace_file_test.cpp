@@ -13,7 +13,7 @@
 
 #include "libmpm/scene/error.hpp"
 
-namespace {
+namespace replace_file_test {
 
 namespace fs = std::filesystem;
 
@@ -110,4 +110,4 @@ TEST_F(ReplaceFile, KeepsTheOldFileWhenTheDiskFillsUp) {
   EXPECT_EQ(files(), 1);
 }
 
-}  // namespace
+}  // namespace replace_file_test

@@ -5,7 +5,7 @@
 
 #include "tests/libmpm/sample_results.hpp"
 
-namespace {
+namespace result_file_read_test {
 
 namespace fs = std::filesystem;
 using samples::odd_result;
@@ -148,4 +148,4 @@ TEST_F(ResultFileRead, NoticesAFlippedBitInAMap) {
   EXPECT_THAT(complaint(), HasSubstr("dataset failure_strain is damaged"));
 }
 
-}  // namespace
+}  // namespace result_file_read_test

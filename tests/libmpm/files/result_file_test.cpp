@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "libmpm/scene/history_columns.hpp"
+#include "libmpm/scene/result.hpp"
 #include "tests/libmpm/sample_results.hpp"
 
-namespace {
+namespace result_file_test {
 
 namespace fs = std::filesystem;
 using samples::odd_result;
@@ -144,4 +144,4 @@ TEST_F(ResultFile, SaysWhyItCannotBeWritten) {
   }
 }
 
-}  // namespace
+}  // namespace result_file_test

@@ -6,7 +6,7 @@
 #include "libmpm/scene/error.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace table_file_test {
 
 const std::vector<mpm::TableColumn> columns{
     {"generate.width + generate.height", "m", "of the specimen", std::vector<double>{0.5, -1e-300}},
@@ -56,4 +56,4 @@ TEST(TableFile, SaysWhereItCannotWrite) {
   EXPECT_THROW(mpm::write_table(folder / "none/table.h5", columns), mpm::FileError);
 }
 
-}  // namespace
+}  // namespace table_file_test

@@ -1,8 +1,8 @@
-#include "libmpm/kernels/flush_to_zero.hpp"
+#include "libmpm/kernels/instruction_set.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace flush_to_zero_test {
 
 /// Half the least number of full precision, which the compiler cannot know.
 double half_of_least() {
@@ -26,4 +26,4 @@ TEST(FlushToZero, LastsAsLongAsItLives) {
   EXPECT_GT(half_of_least(), 0);
 }
 
-}  // namespace
+}  // namespace flush_to_zero_test

@@ -5,7 +5,7 @@
 
 #include "libmpm/scene/error.hpp"
 
-namespace {
+namespace instruction_set_test {
 
 TEST(InstructionSet, AlwaysHasTheBaselineAndPrefersTheFastest) {
   const auto available = mpm::available_kernels();
@@ -24,4 +24,4 @@ TEST(InstructionSet, CanBeChosenAndNamesWhatThereIs) {
   }
 }
 
-}  // namespace
+}  // namespace instruction_set_test

@@ -1,4 +1,4 @@
-#include "libmpm/kernels/kernels.hpp"
+#include "libmpm/kernels/lattice_kernels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <cmath>
 #include <vector>
 
-#include "libmpm/solver/grid.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
-#include "libmpm/solver/lattice/lattice_points.hpp"
 #include "libmpm/material/strength.hpp"
+#include "libmpm/solver/grid.hpp"
+#include "libmpm/solver/lattice/lattice_points.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace kernels_test {
 
 using mpm::Grid;
 using mpm::Plan;
@@ -230,4 +230,4 @@ TYPED_TEST(Cells, SuspectAlikeInAllDirections) {
   }
 }
 
-}  // namespace
+}  // namespace kernels_test

@@ -8,7 +8,7 @@
 
 #include "tests/libmpm/kernel_stage.hpp"
 
-namespace {
+namespace moving_kernels_test {
 
 using samples::Method;
 using samples::Stage;
@@ -327,4 +327,4 @@ TYPED_TEST(MovingKernels, FoldedWeightsEndAtTheSupportAndStayComplete) {
   }
 }
 
-}  // namespace
+}  // namespace moving_kernels_test

@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "libmpm/material/softening.hpp"
-
-namespace {
+namespace failure_test {
 
 using mpm::CrackClosure;
 using mpm::DamageLaw;
@@ -212,4 +210,4 @@ TEST(StressPower, IsTwiceTheElasticEnergyDensity) {
   }
 }
 
-}  // namespace
+}  // namespace failure_test

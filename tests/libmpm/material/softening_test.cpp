@@ -1,10 +1,10 @@
-#include "libmpm/material/softening.hpp"
+#include "libmpm/material/failure.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace softening_test {
 
 using mpm::Plane;
 
@@ -51,4 +51,4 @@ TEST(LargestStrain, InvertsTheStiffness) {
   }
 }
 
-}  // namespace
+}  // namespace softening_test

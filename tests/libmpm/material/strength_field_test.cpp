@@ -1,4 +1,4 @@
-#include "libmpm/material/strength_field.hpp"
+#include "libmpm/material/strength.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "libmpm/material/strength.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace strength_field_test {
 
 constexpr double length = 2e-3;
 
@@ -83,4 +82,4 @@ TEST(StrengthFactors, OfAnExtraPointAreThoseOfItsPlaceInAField) {
   EXPECT_NEAR(factors.of_extra_point(0), factors.of_pixel(6, 2), 1e-12);
 }
 
-}  // namespace
+}  // namespace strength_field_test

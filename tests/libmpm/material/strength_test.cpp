@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace {
+namespace strength_test {
 
 using mpm::Phase;
 using mpm::PrincipalStress;
@@ -114,4 +114,4 @@ TEST(ShearOnset, NeverMissesAFailure) {
   }
 }
 
-}  // namespace
+}  // namespace strength_test

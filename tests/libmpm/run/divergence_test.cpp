@@ -1,14 +1,14 @@
-#include "libmpm/run/divergence.hpp"
+#include "libmpm/run/run_history.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "libmpm/solver/lattice/cell_limit.hpp"
 #include "libmpm/run/simulate.hpp"
+#include "libmpm/solver/lattice/cell_limit.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace divergence_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -173,4 +173,4 @@ TEST(Spent, ARunInFlightGoesOn) {
   EXPECT_FALSE(result.nothing_carries);
 }
 
-}  // namespace
+}  // namespace divergence_test

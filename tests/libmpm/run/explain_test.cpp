@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "libmpm/solver/frame.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
+#include "libmpm/solver/frame.hpp"
 #include "libmpm/solver/lattice/lattice_points.hpp"
 #include "libmpm/solver/moving/moving_points.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace explain_test {
 
 const mpm::Feature& feature(const mpm::Explanation& explanation, const std::string& name) {
   const auto found = std::find_if(explanation.features.begin(), explanation.features.end(),
@@ -124,4 +124,4 @@ TEST(Explain, MeasuresThatMovingPointsCostMoreThanTheLattice) {
   EXPECT_GT(*motion.time, explanation.time);
 }
 
-}  // namespace
+}  // namespace explain_test

@@ -5,11 +5,11 @@
 #include <cstring>
 #include <functional>
 
-#include "libmpm/solver/plan.hpp"
 #include "libmpm/run/simulate.hpp"
+#include "libmpm/solver/plan.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace left_out_test {
 
 using mpm::kernels::Check;
 
@@ -125,4 +125,4 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, LeftOut,
                            return one.param == mpm::Kinematics::moving ? "Moving" : "SmallStrain";
                          });
 
-}  // namespace
+}  // namespace left_out_test

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <cstring>
 
-#include "libmpm/scene/error.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
+#include "libmpm/scene/error.hpp"
 #include "libmpm/solver/plan.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace simulate_test {
 
 using mpm::Direction;
 using mpm::Platen;
@@ -439,4 +439,4 @@ TEST(Diverged, IsNoticedWhenPositiveAndNegativeEnergiesGrowTogether) {
   }
 }
 
-}  // namespace
+}  // namespace simulate_test

@@ -1,11 +1,11 @@
-#include "libmpm/scene/history_columns.hpp"
+#include "libmpm/scene/result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string_view>
 
-namespace {
+namespace history_columns_test {
 
 /// A row whose members are 1, 2, 3 ... in the order of their declaration.
 mpm::HistoryRow counted_row() { return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}; }
@@ -30,4 +30,4 @@ TEST(HistoryColumns, HaveDistinctNamesAndAUnitEach) {
   }
 }
 
-}  // namespace
+}  // namespace history_columns_test

@@ -9,7 +9,7 @@
 
 #include "libmpm/scene/error.hpp"
 
-namespace {
+namespace phase_test {
 
 using mpm::Phase;
 using mpm::Plane;
@@ -82,4 +82,4 @@ TEST(Validate, RefusesNotANumberEverywhere) {
   }
 }
 
-}  // namespace
+}  // namespace phase_test

@@ -6,10 +6,9 @@
 #include <limits>
 
 #include "libmpm/scene/error.hpp"
-#include "libmpm/scene/faults.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace scene_test {
 
 using mpm::Scene;
 
@@ -221,4 +220,4 @@ TEST(Validate, RefusesNotANumber) {
   EXPECT_NE(message_in_flight([](Scene& s) { s.loading.duration = nan; }), "valid");
 }
 
-}  // namespace
+}  // namespace scene_test

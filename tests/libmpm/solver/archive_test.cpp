@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace {
+namespace archive_test {
 
 using mpm::ArchiveReader;
 using mpm::ArchiveWriter;
@@ -153,4 +153,4 @@ TEST(Archive, ReadsNothingBehindTheFirstFault) {
   EXPECT_EQ(reader.fault(), "no such thing");
 }
 
-}  // namespace
+}  // namespace archive_test

@@ -1,4 +1,4 @@
-#include "libmpm/solver/barrier.hpp"
+#include "libmpm/solver/threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace barrier_test {
 
 /// What thread `index` does in a round before it comes to the barrier.
 using Work = void (*)(int index, int round);
@@ -48,4 +48,4 @@ TEST(Barrier, WakesThreadsThatHaveFallenAsleep) {
   EXPECT_EQ(wrong_places(3, 6, late), 0);
 }
 
-}  // namespace
+}  // namespace barrier_test

@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <optional>
 
-#include "libmpm/scene/error.hpp"
 #include "libmpm/kernels/instruction_set.hpp"
 #include "libmpm/run/simulate.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/libmpm/kinds_of_runs.hpp"
 
-namespace {
+namespace checkpoint_test {
 
 using mpm::Checkpoint;
 using mpm::Frame;
@@ -286,4 +286,4 @@ TEST(Checkpoint, NoChangedByteTearsTheProgramDown) {
   }
 }
 
-}  // namespace
+}  // namespace checkpoint_test

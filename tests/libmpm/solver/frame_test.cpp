@@ -11,7 +11,7 @@
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace frame_test {
 
 using mpm::Frame;
 using mpm::FramePoint;
@@ -313,4 +313,4 @@ TEST(Frame, EndsARunWhoseSinkThrows) {
                std::runtime_error);
 }
 
-}  // namespace
+}  // namespace frame_test

@@ -4,7 +4,7 @@
 
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace grid_test {
 
 double total_mass(const mpm::Scene& scene) {
   const mpm::Plan plan = mpm::plan(scene);
@@ -69,4 +69,4 @@ TEST(Grid, VoidHasNoMass) {
   EXPECT_GT(grid.impulse_over_mass[static_cast<std::size_t>(grid.at(2, 3))], 0);
 }
 
-}  // namespace
+}  // namespace grid_test

@@ -1,4 +1,4 @@
-#include "libmpm/solver/idle_cores.hpp"
+#include "libmpm/solver/threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace idle_cores_test {
 
 TEST(IdleCores, AreOneWhereEveryCoreIsBusy) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -29,4 +29,4 @@ TEST(IdleCores, AreNoMoreThanThereAre) {
   EXPECT_LE(cores, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace
+}  // namespace idle_cores_test

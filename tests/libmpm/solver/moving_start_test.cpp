@@ -6,7 +6,7 @@
 
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace moving_start_test {
 
 /// Two rows of three pixels of 2 mm: a void at the lower right, an aggregate at the upper left.
 mpm::Scene small_picture() {
@@ -99,4 +99,4 @@ TEST(PointOrigin, FindsPixelsAndExtraPoints) {
   EXPECT_EQ(mpm::factor_of(factors, extra), factors.of_extra_point(1));
 }
 
-}  // namespace
+}  // namespace moving_start_test

@@ -11,7 +11,7 @@
 #include "libmpm/scene/error.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace plan_test {
 
 using mpm::kernels::Check;
 
@@ -177,4 +177,4 @@ TEST(Plan, KnowsOverHowManyCellsACrackIsSmeared) {
   EXPECT_THAT(message_of(scene), testing::StartsWith("motion.shape: bspline; smears a crack over two cells"));
 }
 
-}  // namespace
+}  // namespace plan_test

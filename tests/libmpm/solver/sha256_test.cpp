@@ -1,10 +1,10 @@
-#include "libmpm/solver/sha256.hpp"
+#include "libmpm/solver/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-namespace {
+namespace sha256_test {
 
 std::string hexadecimal(const std::string& digest) {
   std::string text;
@@ -28,4 +28,4 @@ TEST(Sha256, IsThatOfThePiecesTogether) {
   EXPECT_EQ(mpm::Sha256().add("a").add("").add("bc").digest(), mpm::Sha256().add("abc").digest());
 }
 
-}  // namespace
+}  // namespace sha256_test

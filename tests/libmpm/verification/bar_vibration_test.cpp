@@ -1,5 +1,5 @@
 // Axial vibration of a bar: period, amplitude and energy of every method.
-#include "libmpm/problems/bar_vibration.hpp"
+#include "libmpm/problems/waves.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace bar_vibration_test {
 
 using mpm::problems::vibrate_bar;
 using mpm::problems::Vibration;
@@ -59,4 +59,4 @@ TEST(BarVibration, TheDistanceToTheSolutionHoldsPhaseAndAmplitude) {
   EXPECT_GT(fine.cost.point_updates, 10 * 64 * 64);
 }
 
-}  // namespace
+}  // namespace bar_vibration_test

@@ -1,11 +1,11 @@
 // Two elastic discs that meet head on and part: contact through the grid.
-#include "libmpm/problems/colliding_discs.hpp"
+#include "libmpm/problems/flights.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace colliding_discs_test {
 
 using samples::Method;
 
@@ -32,4 +32,4 @@ TEST(CollidingDiscs, PartAgainWithLinearShapes) { expect_rebound(mpm::Shape::lin
 TEST(CollidingDiscs, PartAgainWithGimp) { expect_rebound(mpm::Shape::gimp); }
 TEST(CollidingDiscs, PartAgainWithBSplines) { expect_rebound(mpm::Shape::bspline); }
 
-}  // namespace
+}  // namespace colliding_discs_test

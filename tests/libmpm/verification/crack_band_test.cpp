@@ -8,7 +8,7 @@
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace crack_band_test {
 
 constexpr double width = 4e-3;
 constexpr double height = 8e-3;
@@ -86,4 +86,4 @@ TEST(CrackBand, CostsItsFractureEnergyWhenPointsBeginToMoveHalfWay) {
   }
 }
 
-}  // namespace
+}  // namespace crack_band_test

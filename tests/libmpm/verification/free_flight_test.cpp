@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "libmpm/problems/disc_flight.hpp"
+#include "libmpm/problems/flights.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace free_flight_test {
 
 using samples::Method;
 using samples::Moving;
@@ -92,4 +92,4 @@ TEST(FreeFlight, AFullTurnLeavesNoStressBehind) {
   }
 }
 
-}  // namespace
+}  // namespace free_flight_test

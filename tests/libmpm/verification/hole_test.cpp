@@ -5,7 +5,7 @@
 #include "libmpm/problems/plate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace hole_test {
 
 // Within a pixel of the edge the stair shows; elsewhere the plate's width adds up to 0.07 T.
 void expect_kirsch(const mpm::Scene& drawn) {
@@ -50,4 +50,4 @@ TEST(Hole, ErrorBesideItFallsWithThePixel) {
   EXPECT_LT(errors.back(), errors.front() / 4);
 }
 
-}  // namespace
+}  // namespace hole_test

@@ -10,7 +10,7 @@
 #include "libmpm/problems/plate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace inclusion_test {
 
 using Errors = mpm::problems::InclusionErrors;
 
@@ -50,4 +50,4 @@ TEST(Inclusion, CarriesTheSameOnMovingPoints) {
   }
 }
 
-}  // namespace
+}  // namespace inclusion_test

@@ -5,7 +5,7 @@
 #include "libmpm/problems/plate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace layers_test {
 
 using mpm::problems::Layers;
 
@@ -44,4 +44,4 @@ TEST(Layers, BearTheLongestStepDampedOrNot) {
   EXPECT_EQ(mpm::problems::pull(scene).trouble, "");
 }
 
-}  // namespace
+}  // namespace layers_test

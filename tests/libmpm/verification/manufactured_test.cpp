@@ -1,13 +1,13 @@
 // Large deformation with a solution made up beforehand: the order of convergence, with and without points
 // that cross cells.
-#include "libmpm/problems/manufactured.hpp"
+#include "libmpm/problems/waves.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/verification/order.hpp"
 
-namespace {
+namespace manufactured_test {
 
 using samples::Method;
 
@@ -65,4 +65,4 @@ TEST(Manufactured, BSplinesConvergeOverCells) {
   EXPECT_GT(order({mpm::Shape::bspline, mpm::Scheme::musl, mpm::Transfer::apic}, 0.05, {8, 16, 32}), 0.9);
 }
 
-}  // namespace
+}  // namespace manufactured_test

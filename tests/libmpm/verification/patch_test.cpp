@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "libmpm/problems/uniform_flight.hpp"
+#include "libmpm/problems/flights.hpp"
 #include "tests/libmpm/kernel_stage.hpp"
 
-namespace {
+namespace patch_test {
 
 using samples::Method;
 using samples::Stage;
@@ -137,4 +137,4 @@ TEST(PatchTest, UniformMotionStrainsNothing) {
   }
 }
 
-}  // namespace
+}  // namespace patch_test

@@ -1,6 +1,6 @@
 // Breaks a specimen: both libraries are in one program, and both say what a user did wrong.
-#include <libmpm/scene/error.hpp>
 #include <libmpm/run/simulate.hpp>
+#include <libmpm/scene/error.hpp>
 #include <specimen/body/error.hpp>
 #include <specimen/body/specimen.hpp>
 #include <specimen/file/specimen_file.hpp>

@@ -1,10 +1,10 @@
 // Packs and draws ellipses, takes the picture of them for that of a stranger, and writes and reads the
 // specimen that comes of it: PNG, OpenCV and HDF5 are linked and do their work.
-#include <specimen/convert/convert.hpp>
-#include <specimen/pack/packing.hpp>
-#include <specimen/picture/preview.hpp>
 #include <specimen/body/specimen.hpp>
+#include <specimen/convert/convert.hpp>
 #include <specimen/file/specimen_file.hpp>
+#include <specimen/pack/packing.hpp>
+#include <specimen/picture/picture.hpp>
 
 #include <utility>
 

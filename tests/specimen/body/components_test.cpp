@@ -1,10 +1,10 @@
-#include "specimen/body/components.hpp"
+#include "specimen/body/mask.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-namespace {
+namespace components_test {
 
 using specimen::Components;
 using specimen::connected_pieces;
@@ -56,4 +56,4 @@ TEST(Components, FollowsASpiralAsOnePiece) {
   EXPECT_EQ(std::accumulate(pieces.area.begin(), pieces.area.end(), std::int64_t{0}), n * n);
 }
 
-}  // namespace
+}  // namespace components_test

@@ -1,4 +1,4 @@
-#include "specimen/body/digest.hpp"
+#include "specimen/body/files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "specimen/body/error.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace digest_test {
 
 using specimen::sha256_of_file;
 using specimen::sha256_of_text;
@@ -44,4 +44,4 @@ TEST(Digest, SaysWhichFileCannotBeRead) {
   EXPECT_THROW(std::ignore = sha256_of_file(folder / ""), specimen::Error);
 }
 
-}  // namespace
+}  // namespace digest_test

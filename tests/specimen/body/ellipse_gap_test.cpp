@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "specimen/body/plane.hpp"
-#include "specimen/body/random.hpp"
+#include "specimen/body/mask.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace ellipse_gap_test {
 
 Body random_body(Random& random, double aspect_min) {
   const double d = random.uniform(5, 20), root = std::sqrt(random.uniform(aspect_min, 1));
@@ -90,5 +90,5 @@ TEST(GapTest, FindsTheWidestStripNearby) {
   }
 }
 
-}  // namespace
+}  // namespace ellipse_gap_test
 }  // namespace specimen

@@ -9,11 +9,11 @@
 #include <numbers>
 #include <optional>
 
-#include "specimen/body/plane.hpp"
-#include "specimen/body/random.hpp"
+#include "specimen/body/mask.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace ellipse_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -332,5 +332,5 @@ TEST(Gap, IsNotThatOfGrownEllipses) {
   EXPECT_GT(let_pass, 0);
 }
 
-}  // namespace
+}  // namespace ellipse_test
 }  // namespace specimen

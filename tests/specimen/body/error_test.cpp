@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace error_test {
 
 TEST(Error, SaysFieldValueAllowedAndCure) {
   const specimen::Error error("phases.mortar.young", "-20 GPa", "must be > 0",
@@ -16,4 +16,4 @@ TEST(Error, LeavesEmptyPartsOut) {
   EXPECT_STREQ(specimen::Error("seed", "-1", "must be >= 0").what(), "seed: -1; must be >= 0");
 }
 
-}  // namespace
+}  // namespace error_test

@@ -1,11 +1,11 @@
-#include "specimen/body/inclusion.hpp"
+#include "specimen/body/ellipse.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 namespace specimen {
-namespace {
+namespace inclusion_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -29,5 +29,5 @@ TEST(Inclusion, OrientationLiesInHalfATurn) {
   }
 }
 
-}  // namespace
+}  // namespace inclusion_test
 }  // namespace specimen

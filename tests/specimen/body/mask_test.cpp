@@ -6,7 +6,7 @@
 #include "specimen/body/error.hpp"
 
 namespace specimen {
-namespace {
+namespace mask_test {
 
 using testing::ElementsAre;
 
@@ -71,5 +71,5 @@ TEST(Mask, RefusesALabelWithoutAName) {
   }
 }
 
-}  // namespace
+}  // namespace mask_test
 }  // namespace specimen

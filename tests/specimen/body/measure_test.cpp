@@ -7,7 +7,7 @@
 
 #include "tests/specimen/drawn.hpp"
 
-namespace {
+namespace measure_test {
 
 using specimen::Inclusion;
 using specimen::measure_inclusions;
@@ -106,4 +106,4 @@ TEST(Measure, TheContourGoesRoundTheLargestPieceAndPastCorners) {
 
 TEST(Measure, NothingIsNothing) { EXPECT_TRUE(measure_inclusions(Raster<std::int32_t>(3, 3, 0), d).empty()); }
 
-}  // namespace
+}  // namespace measure_test

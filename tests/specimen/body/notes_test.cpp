@@ -1,8 +1,8 @@
-#include "specimen/body/notes.hpp"
+#include "specimen/body/measure.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace notes_test {
 
 TEST(Notes, FiguresReadWell) {
   EXPECT_EQ(specimen::grouped(0), "0");
@@ -19,4 +19,4 @@ TEST(Notes, FiguresReadWell) {
   EXPECT_EQ(specimen::short_number(0.1 + 0.2), "0.3");
 }
 
-}  // namespace
+}  // namespace notes_test

@@ -1,11 +1,11 @@
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace specimen {
-namespace {
+namespace random_test {
 
 // The 10000th raw number of the default seed is laid down in the C++ standard: 9981545732273789042.
 TEST(Random, IsTheStandardTwister) {
@@ -30,5 +30,5 @@ TEST(Random, IsUniformAndStaysInItsRange) {
   EXPECT_NEAR(squares / count, 1.0 / 3, 0.005);
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace specimen

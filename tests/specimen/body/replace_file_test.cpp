@@ -1,4 +1,4 @@
-#include "specimen/body/replace_file.hpp"
+#include "specimen/body/files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "specimen/body/error.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
-namespace {
+namespace replace_file_test {
 
 using specimen::replace_file;
 using ::testing::HasSubstr;
@@ -98,4 +98,4 @@ TEST(ReplaceFile, SaysWhatIsWrongWithAPath) {
   EXPECT_THAT(message_of_failure("/dev/null"), HasSubstr("it is a device or a pipe"));
 }
 
-}  // namespace
+}  // namespace replace_file_test

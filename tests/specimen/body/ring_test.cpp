@@ -8,13 +8,13 @@
 #include <numbers>
 
 #include "specimen/body/error.hpp"
-#include "specimen/pack/packing.hpp"
-#include "specimen/body/plane.hpp"
-#include "specimen/body/random.hpp"
+#include "specimen/body/mask.hpp"
+#include "specimen/body/raster.hpp"
 #include "specimen/body/specimen.hpp"
+#include "specimen/pack/packing.hpp"
 
 namespace specimen {
-namespace {
+namespace ring_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -285,5 +285,5 @@ TEST(Ring, RefusesAThicknessOrAShapeThatDoesNotFit) {
             "instances: 20 x 10 pixels; must have the shape of the mask, 20 x 20 pixels");
 }
 
-}  // namespace
+}  // namespace ring_test
 }  // namespace specimen

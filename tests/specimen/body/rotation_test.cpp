@@ -1,14 +1,14 @@
-#include "specimen/body/rotation.hpp"
+#include "specimen/body/ellipse.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace rotation_test {
 
 TEST(Rotation, AgreesWithTheLibrary) {
   Random random(1);
@@ -42,5 +42,5 @@ TEST(Rotation, KeepsItsSignsInAllQuadrants) {
   }
 }
 
-}  // namespace
+}  // namespace rotation_test
 }  // namespace specimen

@@ -8,7 +8,7 @@
 #include "specimen/pack/packing.hpp"
 
 namespace specimen {
-namespace {
+namespace specimen_test {
 
 Segmented packed() {
   const PackingOptions options;
@@ -64,5 +64,5 @@ TEST(Specimen, RefusesANegativeThickness) {
   EXPECT_THROW((void)make_specimen(packed(), {ItzMode::points, 0, 2}, {}), Error);
 }
 
-}  // namespace
+}  // namespace specimen_test
 }  // namespace specimen

@@ -1,4 +1,4 @@
-#include "specimen/body/validate.hpp"
+#include "specimen/body/specimen.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "specimen/body/error.hpp"
 #include "tests/specimen/sample_specimen.hpp"
 
-namespace {
+namespace validate_test {
 
 using specimen::Specimen;
 
@@ -86,4 +86,4 @@ TEST(Validate, ChecksTheRings) {
             "rings[1].vertices: not a number; must be finite numbers");
 }
 
-}  // namespace
+}  // namespace validate_test

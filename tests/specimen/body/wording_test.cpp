@@ -1,4 +1,4 @@
-#include "specimen/body/wording.hpp"
+#include "specimen/body/error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace specimen {
-namespace {
+namespace wording_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -30,5 +30,5 @@ TEST(Wording, FindsTheNearestName) {
   EXPECT_EQ(nearest_name("", names), "");
 }
 
-}  // namespace
+}  // namespace wording_test
 }  // namespace specimen

@@ -4,7 +4,7 @@
 
 #include "tests/specimen/drawn.hpp"
 
-namespace {
+namespace clean_test {
 
 using specimen::Cell;
 using specimen::Changed;
@@ -132,4 +132,4 @@ TEST(Clean, LargestAggregateIsThatOfTheLargestPiece) {
   EXPECT_EQ(specimen::largest_aggregate(cells_of({"..", ".."})), 0);
 }
 
-}  // namespace
+}  // namespace clean_test

@@ -1,10 +1,10 @@
-#include "specimen/convert/clusters.hpp"
+#include "specimen/convert/classes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace {
+namespace clusters_test {
 
 using specimen::Clusters;
 using specimen::find_clusters;
@@ -53,4 +53,4 @@ TEST(Clusters, NearestTakesTheFirstOfEquals) {
   EXPECT_EQ(specimen::nearest({{0, 0, 0, 0}, {2, 0, 0, 0}}, {1.5, 0, 0, 0}), 1);
 }
 
-}  // namespace
+}  // namespace clusters_test

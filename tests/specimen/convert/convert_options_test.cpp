@@ -8,7 +8,7 @@
 
 #include "specimen/body/error.hpp"
 
-namespace {
+namespace convert_options_test {
 
 using specimen::check_options;
 using specimen::ConvertOptions;
@@ -166,4 +166,4 @@ TEST(ConvertOptions, ScaleIsAsGivenElseTheTagElseAnError) {
   EXPECT_EQ(report.notes.size(), 1U);
 }
 
-}  // namespace
+}  // namespace convert_options_test

@@ -7,7 +7,7 @@
 
 #include "specimen/convert/convert.hpp"
 
-namespace {
+namespace convert_real_test {
 
 using specimen::convert_picture;
 using specimen::Converted;
@@ -135,4 +135,4 @@ TEST_F(RealPictures, OverlappingEllipsesCleanAndNoisy) {
   }
 }
 
-}  // namespace
+}  // namespace convert_real_test

@@ -11,7 +11,7 @@
 #include "tests/specimen/drawn.hpp"
 #include "tests/specimen/scratch.hpp"
 
-namespace {
+namespace convert_test {
 
 using specimen::convert_picture;
 using specimen::Converted;
@@ -316,4 +316,4 @@ TEST(Convert, IntersectionOverUnionPerPhase) {
   EXPECT_THROW((void)specimen::intersection_over_union(a, b), specimen::Error);
 }
 
-}  // namespace
+}  // namespace convert_test

@@ -4,7 +4,7 @@
 
 #include "tests/specimen/drawn.hpp"
 
-namespace {
+namespace grains_test {
 
 using specimen_test::cells_of;
 using specimen_test::text_of;
@@ -17,4 +17,4 @@ TEST(Grains, NumbersPiecesInReadingOrderAndKeepsTouchingValuesApart) {
   EXPECT_EQ(specimen::grain_numbers(cells), (std::vector<std::int32_t>{1, 2, 3, 4, 5, 6}));
 }
 
-}  // namespace
+}  // namespace grains_test

@@ -4,7 +4,7 @@
 
 #include "tests/specimen/drawn.hpp"
 
-namespace {
+namespace guess_test {
 
 using specimen::distinct_values;
 using specimen::guess_class_phases;
@@ -82,4 +82,4 @@ TEST(Guess, ClassesOfAPhotograph) {
   EXPECT_EQ(guess_class_phases(classes, 2, true), (Names{"aggregate", "mortar"}));
 }
 
-}  // namespace
+}  // namespace guess_test

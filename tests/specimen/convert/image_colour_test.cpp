@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace image_colour_test {
 
 using specimen::Raster;
 using specimen::Rgb;
@@ -54,4 +54,4 @@ TEST(ImageColour, MedianTakesASpeckAwayAndKeepsARim) {
   EXPECT_EQ(specimen::median_of(picture, 3), rim);
 }
 
-}  // namespace
+}  // namespace image_colour_test

@@ -1,10 +1,10 @@
-#include "specimen/convert/image_distance.hpp"
+#include "specimen/convert/image_colour.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace {
+namespace image_distance_test {
 
 using specimen::Raster;
 
@@ -22,4 +22,4 @@ TEST(ImageDistance, IsLargeWhereThereIsNoZero) {
   for (const float d : specimen::distance_to_zero(Raster<std::uint8_t>(3, 4, 1)).data) EXPECT_GE(d, 5);
 }
 
-}  // namespace
+}  // namespace image_distance_test

@@ -9,7 +9,7 @@
 #include "specimen/convert/smoothing.hpp"
 #include "tests/specimen/drawn.hpp"
 
-namespace {
+namespace photo_test {
 
 using specimen::automatic_classes;
 using specimen::colour_classes;
@@ -115,4 +115,4 @@ TEST(Photo, SortsTheSamePictureAlikeEveryTime) {
   EXPECT_EQ(automatic(picture).classes, automatic(picture).classes);
 }
 
-}  // namespace
+}  // namespace photo_test

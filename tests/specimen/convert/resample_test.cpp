@@ -6,7 +6,7 @@
 #include "specimen/body/error.hpp"
 #include "tests/specimen/drawn.hpp"
 
-namespace {
+namespace resample_test {
 
 using specimen::Cell;
 using specimen::choose_mask_size;
@@ -86,4 +86,4 @@ TEST(Resample, RefusesAPictureThatIsTooFlat) {
   }
 }
 
-}  // namespace
+}  // namespace resample_test

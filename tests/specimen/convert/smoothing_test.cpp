@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace smoothing_test {
 
 using specimen::Raster;
 using specimen::Rgb;
@@ -72,4 +72,4 @@ TEST(Smoothing, ARimBetweenSmoothPartsIsSmoothAndSandIsRough) {
   EXPECT_NEAR(rough(10, 30), 10, 0.1);
 }
 
-}  // namespace
+}  // namespace smoothing_test

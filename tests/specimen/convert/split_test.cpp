@@ -3,7 +3,7 @@
 #include "specimen/convert/grains.hpp"
 #include "tests/specimen/drawn.hpp"
 
-namespace {
+namespace split_test {
 
 using specimen::Cell;
 using specimen::Raster;
@@ -65,4 +65,4 @@ TEST(Split, KeepsGrainsApartThatWereApartBefore) {
   EXPECT_NE(cells(15, 29), cells(15, 30));
 }
 
-}  // namespace
+}  // namespace split_test

@@ -1,11 +1,11 @@
-#include "specimen/convert/thresholds.hpp"
+#include "specimen/convert/classes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
 
-namespace {
+namespace thresholds_test {
 
 using specimen::otsu_thresholds;
 using specimen::Raster;
@@ -66,4 +66,4 @@ TEST(Thresholds, AreFewerThanAskedForWhereLevelsAreMissing) {
   EXPECT_TRUE(otsu_thresholds(row({5, 5}), 3).empty());
 }
 
-}  // namespace
+}  // namespace thresholds_test

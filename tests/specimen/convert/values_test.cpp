@@ -1,8 +1,8 @@
-#include "specimen/convert/values.hpp"
+#include "specimen/convert/guess.hpp"
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace values_test {
 
 using specimen::distinct_values;
 using specimen::Picture;
@@ -59,4 +59,4 @@ TEST(Values, LargestPieceOfEach) {
   EXPECT_EQ(specimen::largest_pieces(map->code, 3), (std::vector<std::int64_t>{3, 3, 1}));
 }
 
-}  // namespace
+}  // namespace values_test

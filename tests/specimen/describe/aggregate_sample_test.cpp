@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "specimen/body/raster.hpp"
 #include "specimen/pack/packing.hpp"
-#include "specimen/body/random.hpp"
 
 namespace specimen {
-namespace {
+namespace aggregate_sample_test {
 
 constexpr double mm = 1e-3, pi = std::numbers::pi;
 
@@ -101,5 +101,5 @@ TEST(AggregateSample, HasItsSizesByWeightedArea) {
   EXPECT_DOUBLE_EQ(sizes[1].weight, 3 * pi);
 }
 
-}  // namespace
+}  // namespace aggregate_sample_test
 }  // namespace specimen

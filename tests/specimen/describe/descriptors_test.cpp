@@ -8,11 +8,10 @@
 #include "specimen/convert/convert.hpp"
 #include "specimen/pack/packing.hpp"
 #include "specimen/picture/picture.hpp"
-#include "specimen/picture/preview.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace specimen {
-namespace {
+namespace descriptors_test {
 
 constexpr double mm = 1e-3;
 
@@ -105,5 +104,5 @@ TEST(Descriptors, CountAggregatesThatWereTakenForOne) {
   EXPECT_EQ(found().sample.aggregates.size(), 2u);
 }
 
-}  // namespace
+}  // namespace descriptors_test
 }  // namespace specimen

@@ -1,11 +1,11 @@
-#include "specimen/describe/distribution.hpp"
+#include "specimen/describe/aggregate_sample.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace specimen {
-namespace {
+namespace distribution_test {
 
 TEST(Distribution, RisesByTheWeightsOfItsValues) {
   const Distribution distribution = distribution_of({{4, 1}, {2, 0.75}, {2, 0.25}});
@@ -42,5 +42,5 @@ TEST(Distribution, LiesApartByTheLargestAndTheMeanDifference) {
   EXPECT_TRUE(std::isnan(distance_between(first, {}).largest));
 }
 
-}  // namespace
+}  // namespace distribution_test
 }  // namespace specimen

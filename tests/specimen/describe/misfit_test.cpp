@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace specimen {
-namespace {
+namespace misfit_test {
 
 Descriptors with(double fraction, double diameter, std::vector<double> s2, double pixel_size = 1) {
   Descriptors d;
@@ -93,5 +93,5 @@ TEST(Misfit, TellsTheMeanDirectionAcrossTheZero) {
   EXPECT_NEAR(std::sin(direction), 0, 1e-6);
 }
 
-}  // namespace
+}  // namespace misfit_test
 }  // namespace specimen

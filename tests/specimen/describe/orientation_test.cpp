@@ -1,13 +1,13 @@
-#include "specimen/describe/orientation.hpp"
+#include "specimen/describe/descriptors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace orientation_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -71,5 +71,5 @@ TEST(Orientation, CountsAxesByTheirEffectiveNumber) {
   EXPECT_NEAR(heavy.probability, three.probability, 1e-12);
 }
 
-}  // namespace
+}  // namespace orientation_test
 }  // namespace specimen

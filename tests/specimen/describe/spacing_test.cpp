@@ -1,4 +1,4 @@
-#include "specimen/describe/spacing.hpp"
+#include "specimen/describe/descriptors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "specimen/pack/packing.hpp"
 
 namespace specimen {
-namespace {
+namespace spacing_test {
 
 constexpr double mm = 1e-3;
 
@@ -73,5 +73,5 @@ TEST(Solidity, OfTwoDiscsThatTouchIsBelowThatOfOne) {
   EXPECT_NEAR(solidity(measure_inclusions(two, 1).front()), 0.88, 0.02);
 }
 
-}  // namespace
+}  // namespace spacing_test
 }  // namespace specimen

@@ -8,11 +8,11 @@
 #include <numbers>
 #include <utility>
 
+#include "specimen/body/raster.hpp"
 #include "specimen/pack/packing.hpp"
-#include "specimen/body/random.hpp"
 
 namespace specimen {
-namespace {
+namespace statistics_test {
 
 constexpr double pi = std::numbers::pi, mm = 1e-3;
 
@@ -210,5 +210,5 @@ TEST(Perimeter, OfASquareIsTheMeanOfFourDirections) {
   EXPECT_EQ(perimeter(mask, phase::itz), 0);
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace specimen

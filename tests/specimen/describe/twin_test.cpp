@@ -10,7 +10,7 @@
 #include "specimen/pack/packing.hpp"
 
 namespace specimen {
-namespace {
+namespace twin_test {
 
 constexpr double mm = 1e-3;
 constexpr ItzOptions no_itz{ItzMode::none, 0, 36};
@@ -226,5 +226,5 @@ TEST(Twin, HasTheAreaOfItsFractionExactly) {
   }
 }
 
-}  // namespace
+}  // namespace twin_test
 }  // namespace specimen

@@ -1,5 +1,5 @@
 // Heaps with lengths that HDF5 itself would follow anywhere, in a specimen whose labels are a view.
-#include "specimen/file/specimen_file_heap.hpp"
+#include "specimen/file/specimen_file_source.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -8,7 +8,7 @@
 
 #include "tests/specimen/changed_file.hpp"
 
-namespace {
+namespace specimen_file_heap_test {
 
 using specimen::hdf5::heaps_are_sound;
 
@@ -64,4 +64,4 @@ TEST_F(SpecimenFileHeap, OverOthersIsRefused) {
   EXPECT_TRUE(heaps_are_sound(path)) << "one of them is sound";
 }
 
-}  // namespace
+}  // namespace specimen_file_heap_test

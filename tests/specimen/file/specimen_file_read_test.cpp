@@ -10,7 +10,7 @@
 
 #include "tests/specimen/changed_file.hpp"
 
-namespace {
+namespace specimen_file_read_test {
 
 using specimen::read_specimen;
 using test::remove;
@@ -152,4 +152,4 @@ TEST_F(SpecimenFileRead, NamesTheChecksumThatFails) {
   EXPECT_THAT(verdict(), StartsWith("/labels: data error detected by Fletcher32 checksum"));
 }
 
-}  // namespace
+}  // namespace specimen_file_read_test

@@ -9,7 +9,7 @@
 
 #include "tests/specimen/changed_file.hpp"
 
-namespace {
+namespace specimen_file_source_test {
 
 using SpecimenFileSource = test::ChangedFile;
 using test::Extent;
@@ -218,4 +218,4 @@ TEST_F(SpecimenFileSource, TakesNoZerosForWhatWasNeverWritten) {
             "/labels: 1 of 6 chunks are there; must be complete; write the specimen again");
 }
 
-}  // namespace
+}  // namespace specimen_file_source_test

@@ -7,7 +7,7 @@
 #include "specimen/body/error.hpp"
 
 namespace specimen {
-namespace {
+namespace canvas_test {
 
 std::string refusal(double width, double height, double pixel_size) {
   try {
@@ -39,5 +39,5 @@ TEST(Canvas, RefusesMorePixelsThanASpecimenMayHave) {
             "size");
 }
 
-}  // namespace
+}  // namespace canvas_test
 }  // namespace specimen

@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "specimen/body/error.hpp"
-#include "specimen/pack/packing.hpp"
 #include "specimen/body/specimen.hpp"
+#include "specimen/pack/packing.hpp"
 
 namespace specimen {
-namespace {
+namespace draw_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -167,5 +167,5 @@ TEST(DrawWindow, CutsAtTheBorderAndLeavesOutWhatIsNotSeen) {
   }
 }
 
-}  // namespace
+}  // namespace draw_test
 }  // namespace specimen

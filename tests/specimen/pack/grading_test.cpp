@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "specimen/body/error.hpp"
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace grading_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -153,5 +153,5 @@ TEST(Grading, EmptyRangeIsRefused) {
             "the grading fuller");
 }
 
-}  // namespace
+}  // namespace grading_test
 }  // namespace specimen

@@ -10,10 +10,9 @@
 #include <numbers>
 
 #include "specimen/body/error.hpp"
-#include "specimen/pack/faults.hpp"
 
 namespace specimen {
-namespace {
+namespace packing_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -265,5 +264,5 @@ TEST(Packing, TooSmallAFractionForOneAggregateIsRefused) {
               testing::StartsWith("generate.fraction: 2.25 mm^2 of aggregate; must be at least one"));
 }
 
-}  // namespace
+}  // namespace packing_test
 }  // namespace specimen

@@ -4,10 +4,10 @@
 
 #include <numbers>
 
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace placement_test {
 
 TEST(Placement, KeepsTheGapToTheWalls) {
   const Room room{1, 0.5, 0.125};
@@ -83,5 +83,5 @@ TEST(Placement, InAPeriodicRoomSeesNeighboursThroughTheEdges) {
   EXPECT_GT(refused_through_an_edge, 30);
 }
 
-}  // namespace
+}  // namespace placement_test
 }  // namespace specimen

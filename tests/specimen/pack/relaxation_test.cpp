@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace relaxation_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -117,5 +117,5 @@ TEST(Relaxation, LeavesFixedAnglesAlone) {
   for (std::size_t i = 0; i < ellipses.size(); ++i) EXPECT_EQ(ellipses[i].angle, before[i].angle);
 }
 
-}  // namespace
+}  // namespace relaxation_test
 }  // namespace specimen

@@ -1,11 +1,11 @@
-#include "specimen/pack/settle.hpp"
+#include "specimen/pack/relaxation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 namespace specimen {
-namespace {
+namespace settle_test {
 
 std::vector<Ellipse> alike(int count, double a, double b) {
   return std::vector<Ellipse>(static_cast<std::size_t>(count), Ellipse{0, 0, a, b, 0.3});
@@ -57,5 +57,5 @@ TEST(Settle, GivesUpWhenThereIsNoRoomAtAll) {
   EXPECT_FALSE(settle(ellipses, {0.1, 0.1, 1e-3, true}, Turning::free, random).solved);
 }
 
-}  // namespace
+}  // namespace settle_test
 }  // namespace specimen

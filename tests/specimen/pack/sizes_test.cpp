@@ -1,4 +1,4 @@
-#include "specimen/pack/sizes.hpp"
+#include "specimen/pack/grading.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include "specimen/body/error.hpp"
 
 namespace specimen {
-namespace {
+namespace sizes_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -127,5 +127,5 @@ TEST(Sizes, ImpossibleGradingIsRefused) {
   EXPECT_EQ(refusal([] { check({{5 * mm, 8 * mm, 0.5}, {4 * mm, 5 * mm, 0.5}}); }), "");
 }
 
-}  // namespace
+}  // namespace sizes_test
 }  // namespace specimen

@@ -1,13 +1,13 @@
-#include "specimen/pack/spatial_grid.hpp"
+#include "specimen/pack/placement.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace spatial_grid_test {
 
 bool meet(const Box& p, const Box& q) {
   return p.left <= q.right && q.left <= p.right && p.bottom <= q.top && q.bottom <= p.top;
@@ -70,5 +70,5 @@ TEST(SpatialGrid, StopsWhenTold) {
   EXPECT_TRUE(grid.visit_near({0, 0, 1, 1}, [](int) { return false; }));
 }
 
-}  // namespace
+}  // namespace spatial_grid_test
 }  // namespace specimen

@@ -1,11 +1,11 @@
-#include "specimen/picture/image_correlation.hpp"
+#include "specimen/picture/image_libraries.hpp"
 
 #include <gtest/gtest.h>
 
-#include "specimen/body/random.hpp"
+#include "specimen/body/raster.hpp"
 
 namespace specimen {
-namespace {
+namespace image_correlation_test {
 
 TEST(ImageCorrelation, CountsEveryPairOnceAndNoneRoundTheEdge) {
   Raster<std::uint8_t> set(23, 31);
@@ -32,5 +32,5 @@ TEST(ImageCorrelation, OfOnePixelKnowsNoOtherShift) {
   EXPECT_EQ(count_pairs({1, 1, 0}, 0)(0, 0), 0);
 }
 
-}  // namespace
+}  // namespace image_correlation_test
 }  // namespace specimen

@@ -5,7 +5,7 @@
 #include "specimen/picture/picture.hpp"
 #include "tests/specimen/picture_checks.hpp"
 
-namespace {
+namespace picture_bmp_test {
 
 using specimen::Picture;
 using specimen::Rgb;
@@ -106,4 +106,4 @@ TEST(PictureBmp, RefusesBeginningsAndSurvivesDamage) {
   specimen_test::survive_damage(scratch, whole);
 }
 
-}  // namespace
+}  // namespace picture_bmp_test

@@ -1,10 +1,10 @@
-#include "specimen/picture/picture_exif.hpp"
+#include "specimen/picture/picture_codecs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace {
+namespace picture_exif_test {
 
 using specimen::read_exif;
 
@@ -41,4 +41,4 @@ TEST(PictureExif, KeepsTheDefaultsWhereTheBlockIsDamaged) {
   EXPECT_EQ(read_exif(wrong).orientation, 1);
 }
 
-}  // namespace
+}  // namespace picture_exif_test

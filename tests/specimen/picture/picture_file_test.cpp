@@ -6,7 +6,7 @@
 
 #include "tests/specimen/scratch.hpp"
 
-namespace {
+namespace picture_file_test {
 
 using specimen::Error;
 using specimen_test::Scratch;
@@ -30,4 +30,4 @@ TEST(PictureFile, SaysWhyAFileCannotBeOpened) {
   EXPECT_THAT(reason_of(scratch.file("pipe")), HasSubstr("is no regular file"));  // and does not wait for it
 }
 
-}  // namespace
+}  // namespace picture_file_test

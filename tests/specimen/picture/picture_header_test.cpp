@@ -6,7 +6,7 @@
 
 #include "specimen/body/error.hpp"
 
-namespace {
+namespace picture_header_test {
 
 using specimen::format_of;
 using specimen::Picture;
@@ -63,4 +63,4 @@ TEST(PictureHeader, TurnsEveryOrientationUpright) {
   }
 }
 
-}  // namespace
+}  // namespace picture_header_test

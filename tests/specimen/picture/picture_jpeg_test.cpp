@@ -8,7 +8,7 @@
 #include "tests/specimen/jpeg_recipe.hpp"
 #include "tests/specimen/picture_checks.hpp"
 
-namespace {
+namespace picture_jpeg_test {
 
 using specimen::Picture;
 using specimen_test::expect_refused;
@@ -105,4 +105,4 @@ TEST(PictureJpeg, RefusesBeginningsAndSurvivesDamage) {
   specimen_test::survive_damage(scratch, make_jpeg(recipe));
 }
 
-}  // namespace
+}  // namespace picture_jpeg_test

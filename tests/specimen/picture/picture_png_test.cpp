@@ -5,7 +5,7 @@
 #include "tests/specimen/picture_checks.hpp"
 #include "tests/specimen/png_recipe.hpp"
 
-namespace {
+namespace picture_png_test {
 
 using specimen::Picture;
 using specimen::Raster;
@@ -160,4 +160,4 @@ TEST(PicturePng, RefusesToWriteAPictureOfNothing) {
   EXPECT_EQ(scratch.files(), 0U);
 }
 
-}  // namespace
+}  // namespace picture_png_test

@@ -3,7 +3,7 @@
 #include "specimen/picture/picture.hpp"
 #include "tests/specimen/picture_checks.hpp"
 
-namespace {
+namespace picture_pnm_test {
 
 using specimen::Picture;
 using specimen::Rgb;
@@ -65,4 +65,4 @@ TEST(PicturePnm, RefusesBeginningsAndSurvivesDamage) {
   }
 }
 
-}  // namespace
+}  // namespace picture_pnm_test

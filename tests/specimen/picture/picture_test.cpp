@@ -5,7 +5,7 @@
 
 #include "tests/specimen/picture_checks.hpp"
 
-namespace {
+namespace picture_test {
 
 using specimen::LabelledMask;
 using specimen::Picture;
@@ -91,4 +91,4 @@ TEST(Picture, WritesLabelsInKnownFormatsAlone) {
     }
 }
 
-}  // namespace
+}  // namespace picture_test

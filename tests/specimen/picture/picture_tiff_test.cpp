@@ -12,7 +12,7 @@
 #include "tests/specimen/picture_checks.hpp"
 #include "tests/specimen/tiff_recipe.hpp"
 
-namespace {
+namespace picture_tiff_test {
 
 using specimen::Picture;
 using specimen::Rgb;
@@ -277,4 +277,4 @@ TEST(PictureTiff, WritesFloatsForImageJAsTheyAre) {
   EXPECT_EQ(bottom[1], 0);
 }
 
-}  // namespace
+}  // namespace picture_tiff_test

@@ -1,10 +1,10 @@
-#include "specimen/picture/preview.hpp"
+#include "specimen/picture/picture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-namespace {
+namespace preview_test {
 
 using specimen::phase_colour;
 using specimen::Rgb;
@@ -40,4 +40,4 @@ TEST(Preview, ShowsEveryPixelWhereItIs) {
     for (int col = 0; col < 3; ++col) EXPECT_EQ(picture(row, col), phase_colour(mask.labels(row, col)));
 }
 
-}  // namespace
+}  // namespace preview_test

@@ -7,7 +7,7 @@
 #include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace cell_limit_test {
 
 double limit_over_transit(const mpm::Scene& scene) {
   const mpm::Plan plan = mpm::plan(scene);
@@ -64,4 +64,4 @@ TEST(CellLimit, IsStable) {
   EXPECT_NO_THROW((void)mpm::simulate(scene, plan));
 }
 
-}  // namespace
+}  // namespace cell_limit_test

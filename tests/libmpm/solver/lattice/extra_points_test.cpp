@@ -1,11 +1,11 @@
-#include "libmpm/solver/lattice/extra_points.hpp"
+#include "libmpm/solver/lattice/lattice_points.hpp"
 
 #include <gtest/gtest.h>
 
 #include "libmpm/material/strength.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace extra_points_test {
 
 const Eigen::Matrix3d mortar = mpm::stiffness(mpm::concrete_phases()[1], mpm::Plane::strain);
 constexpr double h = 1e-3;
@@ -83,4 +83,4 @@ TEST(ExtraPoints, OfVoidAreLeftOut) {
   EXPECT_TRUE(mpm::make_extra_points(scene, mpm::plan(scene)).points.empty());
 }
 
-}  // namespace
+}  // namespace extra_points_test

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "libmpm/run/simulate.hpp"
+#include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "tests/libmpm/mean_stress.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace lattice_handover_test {
 
 using mpm::Kinematics;
 using mpm::Result;
@@ -129,4 +129,4 @@ TEST(MovingAndSmallStrain, AgreeUpToTheFirstHundredFailures) {
   }
 }
 
-}  // namespace
+}  // namespace lattice_handover_test

@@ -1,4 +1,5 @@
 #include "libmpm/solver/lattice/lattice_points.hpp"
+#include "libmpm/solver/threshold.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include "libmpm/material/strength.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace lattice_points_test {
 
 template <class Real>
 mpm::LatticePoints<Real> points_of(const mpm::Scene& scene, const mpm::Plan& plan) {
@@ -80,4 +81,4 @@ TEST(LatticePoints, PaddingCarriesNothingAndNeverFails) {
   }
 }
 
-}  // namespace
+}  // namespace lattice_points_test

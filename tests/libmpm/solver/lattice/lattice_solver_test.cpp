@@ -4,7 +4,7 @@
 
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace lattice_solver_test {
 
 template <class Real>
 class LatticeSolver : public testing::Test {};
@@ -61,4 +61,4 @@ TYPED_TEST(LatticeSolver, TellsTheStepAtWhichAReactionIsNoNumber) {
   EXPECT_EQ(solver.advance(10).diverged_at, step) << "the first such step stays";
 }
 
-}  // namespace
+}  // namespace lattice_solver_test

@@ -4,7 +4,7 @@
 #include "libmpm/solver/archive.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace moving_archive_test {
 
 using mpm::Scene;
 using samples::Moving;
@@ -69,4 +69,4 @@ TEST(MovingArchive, KeepsTheNodeThatIsHeld) {
   expect_same_way(it, 5);
 }
 
-}  // namespace
+}  // namespace moving_archive_test

@@ -8,7 +8,7 @@
 
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace moving_grid_test {
 
 mpm::Scene body(mpm::Shape shape) {
   mpm::Scene scene = samples::soft_body(12, 8, 0.05);
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(Moving, Sums,
                          testing::Combine(testing::Values(mpm::Shape::linear, mpm::Shape::gimp),
                                           testing::Values(Bands{}, Bands{15}, Bands{2, 4, 20})));
 
-}  // namespace
+}  // namespace moving_grid_test

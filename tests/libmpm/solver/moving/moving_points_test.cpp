@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-namespace {
+namespace moving_points_test {
 
 template <class Real>
 class MovingPoints : public testing::Test {};
@@ -125,4 +125,4 @@ TYPED_TEST(MovingPoints, EmptyLanesCarryNothing) {
   }
 }
 
-}  // namespace
+}  // namespace moving_points_test

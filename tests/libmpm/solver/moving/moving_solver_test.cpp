@@ -7,12 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include "libmpm/run/simulate.hpp"
 #include "libmpm/solver/moving_start.hpp"
 #include "libmpm/solver/plan.hpp"
-#include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 
-namespace {
+namespace moving_solver_test {
 
 using mpm::Scene;
 using samples::Method;
@@ -412,4 +412,4 @@ TEST(TimeStep, GrowsWhenTheStiffestPhaseHasFailed) {
   EXPECT_NEAR(it.solver.dt(), 0.5 * 0.1 / 100, 0.01 * 0.5 * 0.1 / 100);
 }
 
-}  // namespace
+}  // namespace moving_solver_test

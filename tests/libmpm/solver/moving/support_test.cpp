@@ -1,10 +1,10 @@
-#include "libmpm/solver/moving/support.hpp"
+#include "libmpm/solver/moving/moving_grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace {
+namespace support_test {
 
 using mpm::Edge;
 using mpm::Support;
@@ -67,4 +67,4 @@ TEST(Supports, OfASceneInFlightAreItsEdges) {
   EXPECT_FALSE(supports.bottom.active || supports.top.active);
 }
 
-}  // namespace
+}  // namespace support_test

@@ -1,0 +1,250 @@
+#include "apps/export/mesh_files.hpp"
+
+#include <fmt/format.h>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "apps/export/mesh_text.hpp"
+
+namespace exchange {
+namespace {
+
+void write_heading(TextStream& file, const PixelMesh& mesh, const std::vector<std::string>& sets) {
+  file << fmt::format(
+      "*HEADING\n"
+      "Specimen of mesopix, {} x {} pixels of {} m\n"
+      "** Lengths are in metres. The origin is the bottom left corner, x points right, y points up.\n"
+      "** Pixel (row, column), counted from 0 at the top left, is element row * {} + column + 1.\n"
+      "** Void pixels have no element, and nodes amid void are left out.\n"
+      "** Before an analysis, give every element set a material and a section, for instance:\n",
+      mesh.cols(), mesh.rows(), length_text(mesh.mask().pixel_size), mesh.cols());
+  for (const std::string& set : sets)
+    file << fmt::format("**   *MATERIAL, NAME=M_{0}\n**   *SOLID SECTION, ELSET={0}, MATERIAL=M_{0}\n", set);
+}
+
+void write_node_block(TextStream& file, const PixelMesh& mesh) {
+  const std::vector<std::string> x = mesh.x_texts();
+  const std::vector<std::string> y = mesh.y_texts();
+  file << "*NODE\n";
+  mesh.for_each_node([&](MeshNode node) {
+    file << mesh.number(node) << ", " << x[static_cast<std::size_t>(node.col)] << ", "
+         << y[static_cast<std::size_t>(node.line)] << "\n";
+  });
+}
+
+void write_elements(TextStream& file, const PixelMesh& mesh, const MeshPhase& phase) {
+  mesh.for_each_element(phase, [&](int row, int col) {
+    file << mesh.element(row, col);
+    for (const std::int64_t node : mesh.corners(row, col)) file << ", " << node;
+    file << "\n";
+  });
+}
+
+/// At most 16 numbers may stand on a line.
+void write_node_set(TextStream& file, Edge edge, const std::vector<std::int64_t>& numbers) {
+  if (numbers.empty()) return;
+  file << "*NSET, NSET=" << name_of(edge) << "\n";
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    file << numbers[i] << (i % 16 == 15 || i + 1 == numbers.size() ? "\n" : ", ");
+}
+
+}  // namespace
+
+std::vector<std::string> element_sets(const PixelMesh& mesh) {
+  std::vector<std::string> phases;
+  for (const MeshPhase& phase : mesh.phases()) phases.push_back(phase.name);
+  return set_names(phases);
+}
+
+void write_abaqus(const std::string& path, const PixelMesh& mesh, PlaneElement plane) {
+  const std::vector<std::string> sets = element_sets(mesh);
+  const char* type = plane == PlaneElement::stress ? "CPS4" : "CPE4";
+  write_text(path, [&](TextStream& file) {
+    write_heading(file, mesh, sets);
+    write_node_block(file, mesh);
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      file << "*ELEMENT, TYPE=" << type << ", ELSET=" << sets[k] << "\n";
+      write_elements(file, mesh, mesh.phases()[k]);
+    }
+    for (const Edge edge : edges) write_node_set(file, edge, mesh.nodes_on(edge));
+  });
+}
+
+namespace {
+
+using std::int64_t;
+
+constexpr int line_of_two_nodes = 1;
+constexpr int quadrangle_of_four_nodes = 3;
+
+/// Lines along an edge; their curve and its physical group have the same tag.
+struct Curve {
+  Edge edge;
+  int tag;
+  std::vector<std::array<int64_t, 2>> sides;
+};
+
+std::vector<Curve> curves_of(const PixelMesh& mesh) {
+  std::vector<Curve> curves;
+  for (const Edge edge : edges)
+    if (auto sides = mesh.sides(edge); !sides.empty())
+      curves.push_back({edge, static_cast<int>(edge) + 1, std::move(sides)});
+  return curves;
+}
+
+void write_header(TextStream& file, const PixelMesh& mesh) {
+  file << fmt::format(
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
+      "$Comments\n"
+      "Specimen of mesopix, {} x {} pixels of {} m\n"
+      "Lengths are in metres. The origin is the bottom left corner, x points right, y points up.\n"
+      "Pixel (row, column), counted from 0 at the top left, is element row * {} + column + 1.\n"
+      "Void pixels have no element, and nodes amid void are left out.\n"
+      "$EndComments\n",
+      mesh.cols(), mesh.rows(), length_text(mesh.mask().pixel_size), mesh.cols());
+}
+
+void write_physical_names(TextStream& file, const PixelMesh& mesh, const std::vector<Curve>& curves) {
+  const std::vector<std::string> names = physical_surfaces(mesh);
+  file << "$PhysicalNames\n" << static_cast<int64_t>(curves.size() + names.size()) << "\n";
+  for (const Curve& curve : curves) file << fmt::format("1 {} \"{}\"\n", curve.tag, name_of(curve.edge));
+  for (std::size_t k = 0; k < names.size(); ++k)
+    file << fmt::format("2 {} \"{}\"\n", mesh.phases()[k].label, names[k]);
+  file << "$EndPhysicalNames\n";
+}
+
+/// Every curve and surface is said to be as large as the specimen: the boxes only help to look for things.
+void write_entities(TextStream& file, const PixelMesh& mesh, const std::vector<Curve>& curves) {
+  const std::string box =
+      fmt::format("0 0 0 {} {} 0", length_text(mesh.mask().width()), length_text(mesh.mask().height()));
+  file << fmt::format("$Entities\n0 {} {} 0\n", curves.size(), mesh.phases().size());
+  for (const Curve& curve : curves) file << fmt::format("{0} {1} 1 {0} 0\n", curve.tag, box);
+  for (const MeshPhase& phase : mesh.phases()) file << fmt::format("{0} {1} 1 {0} 0\n", phase.label, box);
+  file << "$EndEntities\n";
+}
+
+/// One block, filed under the first surface: a node of two phases belongs to neither.
+void write_node_section(TextStream& file, const PixelMesh& mesh) {
+  int64_t first = 0;
+  int64_t last = 0;
+  mesh.for_each_node([&](MeshNode node) {
+    last = mesh.number(node);
+    if (first == 0) first = last;
+  });
+  file << fmt::format("$Nodes\n1 {0} {1} {2}\n2 {3} 0 {0}\n", mesh.nodes(), first, last,
+                      mesh.phases().front().label);
+  mesh.for_each_node([&](MeshNode node) { file << mesh.number(node) << "\n"; });
+  const std::vector<std::string> x = mesh.x_texts();
+  const std::vector<std::string> y = mesh.y_texts();
+  mesh.for_each_node([&](MeshNode node) {
+    file << x[static_cast<std::size_t>(node.col)] << " " << y[static_cast<std::size_t>(node.line)] << " 0\n";
+  });
+  file << "$EndNodes\n";
+}
+
+/// Lines are numbered behind the last pixel.
+void write_lines(TextStream& file, const std::vector<Curve>& curves, int64_t number) {
+  for (const Curve& curve : curves) {
+    file << fmt::format("1 {} {} {}\n", curve.tag, line_of_two_nodes, curve.sides.size());
+    for (const auto& [begin, end] : curve.sides) file << ++number << " " << begin << " " << end << "\n";
+  }
+}
+
+void write_quadrangles(TextStream& file, const PixelMesh& mesh) {
+  for (const MeshPhase& phase : mesh.phases()) {
+    file << fmt::format("2 {} {} {}\n", phase.label, quadrangle_of_four_nodes, phase.elements);
+    mesh.for_each_element(phase, [&](int row, int col) {
+      file << mesh.element(row, col);
+      for (const int64_t node : mesh.corners(row, col)) file << " " << node;
+      file << "\n";
+    });
+  }
+}
+
+void write_elements(TextStream& file, const PixelMesh& mesh, const std::vector<Curve>& curves) {
+  const int64_t pixels = mesh.element(mesh.rows() - 1, mesh.cols() - 1);
+  int64_t lines = 0;
+  for (const Curve& curve : curves) lines += static_cast<int64_t>(curve.sides.size());
+  file << fmt::format("$Elements\n{} {} 1 {}\n", curves.size() + mesh.phases().size(),
+                      lines + mesh.elements(), pixels + lines);
+  write_lines(file, curves, pixels);
+  write_quadrangles(file, mesh);
+  file << "$EndElements\n";
+}
+
+}  // namespace
+
+std::vector<std::string> physical_surfaces(const PixelMesh& mesh) {
+  std::vector<std::string> phases;
+  for (const MeshPhase& phase : mesh.phases()) phases.push_back(phase.name);
+  return group_names(phases);
+}
+
+void write_gmsh(const std::string& path, const PixelMesh& mesh) {
+  const std::vector<Curve> curves = curves_of(mesh);
+  write_text(path, [&](TextStream& file) {
+    write_header(file, mesh);
+    write_physical_names(file, mesh, curves);
+    write_entities(file, mesh, curves);
+    write_node_section(file, mesh);
+    write_elements(file, mesh, curves);
+  });
+}
+
+namespace {
+
+/// Codes of the characters of every name, each with a zero behind it, as VTK spells texts.
+std::string spelled(const std::vector<std::string>& names) {
+  std::string codes;
+  for (const std::string& name : names) {
+    for (const char c : name) codes += fmt::format("{} ", static_cast<unsigned char>(c));
+    codes += "0\n";
+  }
+  return codes;
+}
+
+std::string header(const specimen::LabelledMask& mask) {
+  const std::string extent = fmt::format("0 {} 0 {} 0 0", mask.labels.cols, mask.labels.rows);
+  return fmt::format(
+      R"(<?xml version="1.0"?>
+<!-- Specimen of mesopix. Lengths are in metres. The origin is the bottom left corner, x points right, y points up. -->
+<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<ImageData WholeExtent="{0}" Origin="0 0 0" Spacing="{1} {1} {1}">
+<FieldData>
+<Array type="String" Name="phase_names" NumberOfTuples="{2}" format="ascii">
+{3}</Array>
+</FieldData>
+<Piece Extent="{0}">
+<CellData Scalars="phase">
+<DataArray type="UInt8" Name="phase" format="appended" offset="0"/>
+</CellData>
+</Piece>
+</ImageData>
+<AppendedData encoding="raw">
+_)",
+      extent, length_text(mask.pixel_size), mask.phases.size(), spelled(mask.phases));
+}
+
+/// Number of bytes that follow, the lowest byte first.
+std::string size_prefix(std::uint64_t size) {
+  std::string bytes;
+  for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(size >> shift & 0xFF);
+  return bytes;
+}
+
+std::string_view row_of(const specimen::Raster<std::uint8_t>& labels, int row) {
+  return {reinterpret_cast<const char*>(&labels(row, 0)), static_cast<std::size_t>(labels.cols)};
+}
+
+}  // namespace
+
+void write_vtk_image(const std::string& path, const specimen::LabelledMask& mask) {
+  write_text(path, [&](TextStream& file) {
+    file << header(mask) << size_prefix(mask.labels.size());
+    for (int row = mask.labels.rows - 1; row >= 0; --row) file << row_of(mask.labels, row);
+    file << "\n</AppendedData>\n</VTKFile>\n";
+  });
+}
+
+}  // namespace exchange

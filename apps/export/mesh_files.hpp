@@ -1,0 +1,40 @@
+/// Meshes for Abaqus and CalculiX.
+/// Meshes for Gmsh, and for what reads its files (meshio, FEniCSx, MOOSE, ...).
+/// Images for ParaView and other programs of VTK.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/export/pixel_mesh.hpp"
+#include "specimen/body/mask.hpp"
+
+namespace exchange {
+
+/// Which plane elements: CPS4 or CPE4.
+enum class PlaneElement { stress, strain };
+
+/// Write the mesh as an input file [m]: nodes, an element set a phase under set_names(), node sets BOTTOM,
+/// RIGHT, TOP and LEFT (none where an edge is void throughout). Materials, sections and steps are left to the
+/// user, and a comment says so.
+/// @throws specimen::Error (Fault::write).
+void write_abaqus(const std::string& path, const PixelMesh& mesh, PlaneElement plane);
+
+/// Names of the element sets, in the order of the phases of the mesh.
+[[nodiscard]] std::vector<std::string> element_sets(const PixelMesh& mesh);
+
+/// Write the mesh in format 4.1, as text [m]: a physical surface a phase under group_names() with the label
+/// of the phase as its tag, and physical curves BOTTOM, RIGHT, TOP and LEFT with tags 1 ... 4 (none where an
+/// edge is void throughout) of lines of two nodes.
+/// @throws specimen::Error (Fault::write).
+void write_gmsh(const std::string& path, const PixelMesh& mesh);
+
+/// Names of the physical surfaces, in the order of the phases of the mesh.
+[[nodiscard]] std::vector<std::string> physical_surfaces(const PixelMesh& mesh);
+
+/// Write the mask as VTK ImageData (.vti) [m]: a cell a pixel, void included, with the label in the cell data
+/// `phase`, and the names of the phases by label in the field data `phase_names`. VTK counts rows from below.
+/// @throws specimen::Error (Fault::write).
+void write_vtk_image(const std::string& path, const specimen::LabelledMask& mask);
+
+}  // namespace exchange

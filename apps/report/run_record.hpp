@@ -1,0 +1,58 @@
+/// A run as its files and pages need it, and how wrong its peak may be.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/result.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "specimen/body/specimen.hpp"
+
+namespace output {
+
+/// What one choice of the numerics adds.
+struct ErrorSource {
+  std::string name;         ///< "loading rate"
+  std::string compared;     ///< what a second run did otherwise: "0.025 m/s"
+  double peak_stress = 0;   ///< of that run [Pa]
+  double peak_strain = 0;   ///< of that run [-]
+  double stress_error = 0;  ///< estimated, of the peak stress over it [-]
+  double strain_error = 0;  ///< estimated, of the peak strain over it [-]
+  double wall_time = 0;     ///< of the time loop of that run [s]
+};
+
+struct ErrorEstimate {
+  std::vector<ErrorSource> sources;  ///< empty: none was asked for
+
+  /// Sums over the sources: they may all point the same way.
+  [[nodiscard]] double stress_error() const { return sum(&ErrorSource::stress_error); }  ///< [-]
+  [[nodiscard]] double strain_error() const { return sum(&ErrorSource::strain_error); }  ///< [-]
+  [[nodiscard]] double wall_time() const { return sum(&ErrorSource::wall_time); }        ///< [s]
+
+ private:
+  [[nodiscard]] double sum(double ErrorSource::*value) const {
+    double total = 0;
+    for (const ErrorSource& source : sources) total += source.*value;
+    return total;
+  }
+};
+
+}  // namespace output
+
+/// A run, as the files of its folder need it: finished, or looked at on its way.
+struct RunRecord {
+  const specimen::Specimen& specimen;  ///< what was broken; its mask has the shape of the scene's labels
+  const mpm::Scene& scene;             ///< as it was solved
+  const mpm::Result& result;
+  std::string scene_toml;                     ///< the resolved scene, every default written out
+  std::string scene_hash;                     ///< SHA-256 of scene_toml, lower-case hexadecimal
+  std::string title;                          ///< the user's own words; escaped wherever it is shown
+  std::vector<std::string> notes;             ///< what was guessed or cut short, one sentence each
+  output::ErrorEstimate error_estimate = {};  ///< of the peak; without sources when none was asked for
+  bool goes_on = false;                       ///< the run is not over yet
+};
+
+/// Key figures of a run in SI units, as summary.json holds them; figures that are not finite are null in
+/// its text.
+[[nodiscard]] nlohmann::json summary(const RunRecord& record);

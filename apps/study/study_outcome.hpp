@@ -1,0 +1,52 @@
+/// What the members of a study say together, written into its folder and told.
+/// One line on the terminal that tells how far a study is.
+#pragma once
+
+#include <chrono>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/study/study_results.hpp"
+#include "apps/study/study_run.hpp"
+#include "apps/system/terminal.hpp"
+
+namespace app {
+
+/// Write tables and report of what has a result, and say the means.
+/// @throws mpm::FileError, specimen::Error (Fault::write) when the disk fails.
+void close_study(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
+                 const StudyResults& results, Console& console);
+
+/// How many of the members are done, have failed or are open, and in which folder.
+[[nodiscard]] nlohmann::ordered_json count_json(const StudyFolder& folder,
+                                                const std::vector<Member>& members);
+
+/// The same with the mean peak stress, where no value varies, and the files.
+[[nodiscard]] nlohmann::ordered_json study_json(const StudyFolder& folder, const Study& study,
+                                                const std::vector<Member>& members,
+                                                const StudyResults& results);
+
+/// Each of the first failed members with its reason, and where the others are told.
+/// @throws Rejected (Exit::data) when any has failed.
+void refuse_failures(const Study& study, const StudyFolder& folder, const std::vector<Member>& members);
+
+/// "12 of 100 members   1 failed   35 s left".
+/// @param elapsed  since the first of them was begun [s].
+[[nodiscard]] std::string study_text(const StudyTally& tally, double elapsed);
+
+class StudyLine {
+ public:
+  explicit StudyLine(Console& console) : line_(console.err, console.err_is_terminal && !console.quiet) {}
+
+  void show(const StudyTally& tally) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    line_.show(study_text(tally, elapsed.count()));
+  }
+
+ private:
+  TerminalLine line_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace app

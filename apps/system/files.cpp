@@ -1,0 +1,110 @@
+#include "apps/system/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "apps/text/complaint.hpp"
+#include "libmpm/scene/error.hpp"
+#include "specimen/body/error.hpp"
+
+namespace app {
+
+std::string read_text_file(const std::string& path, std::size_t longest) {
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  const bool folder = std::filesystem::is_directory(path);
+  std::string text;
+  while (!folder && stream && text.size() <= longest) {
+    constexpr std::size_t piece = std::size_t{1} << 16U;
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    stream.read(text.data() + before, piece);
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (folder || !stream.is_open() || stream.bad()) {
+    const std::string reason = folder ? "is a folder" : std::generic_category().message(errno);
+    throw Rejected(Exit::io, complaint(path, reason, "must be a file that can be read"));
+  }
+  if (text.size() > longest)
+    throw Rejected(Exit::data,
+                   complaint(path, "is too long", fmt::format("at most {} MiB are read", longest >> 20U)));
+  return text;
+}
+
+}  // namespace app
+
+NotWritten::NotWritten(std::vector<mpm::FileError> all)
+    : mpm::FileError(all.front()), files(std::move(all)) {}
+
+void Attempts::operator()(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const mpm::FileError& error) {
+    failures_.push_back(error);
+  } catch (const specimen::Error& error) {
+    if (error.fault != specimen::Fault::write) throw;
+    failures_.emplace_back(error.field, error.value, error.allowed, error.cure);
+  }
+}
+
+void Attempts::conclude() const {
+  if (!failures_.empty()) throw NotWritten(failures_);
+}
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+int open_lock(const fs::path& lock) {
+  const int descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    throw mpm::FileError(lock.string(), "cannot be created: " + std::generic_category().message(errno), "",
+                         "choose a folder that may be written to");
+  return descriptor;
+}
+
+/// Not when the program that held it has removed it since it was opened.
+bool is_still_there(int descriptor, const fs::path& lock) {
+  struct stat opened = {}, found = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(lock.c_str(), &found) == 0 &&
+         opened.st_dev == found.st_dev && opened.st_ino == found.st_ino;
+}
+
+/// @return false while another program has the lock.
+bool take(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
+
+int hold(const fs::path& lock) {
+  for (;;) {
+    const int descriptor = open_lock(lock);
+    const bool taken = take(descriptor);
+    if (taken && is_still_there(descriptor, lock)) return descriptor;
+    ::close(descriptor);
+    if (!taken)
+      throw Rejected(Exit::interrupted,
+                     complaint(lock.parent_path().string(), "another program is writing a run there", "",
+                               "wait until it has ended, or choose another folder"));
+  }
+}
+
+}  // namespace
+
+HeldFolder::HeldFolder(const fs::path& folder)
+    : lock_(folder / "in_progress.lock"), descriptor_(hold(lock_)) {}
+
+HeldFolder::~HeldFolder() {
+  if (is_still_there(descriptor_, lock_))  // else the folder was moved, and another may be in its place
+    ::unlink(lock_.c_str());               // before it is let go: who opens it now makes another
+  ::close(descriptor_);
+}
+
+}  // namespace app

@@ -1,0 +1,63 @@
+/// Whole files as text.
+/// Several files, of which a disk that fails takes what it can.
+/// One program at a time writes a run folder.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/error.hpp"
+
+namespace app {
+
+inline constexpr std::size_t longest_text = std::size_t{16} << 20U;    ///< of what a person writes [bytes]
+inline constexpr std::size_t longest_table = std::size_t{256} << 20U;  ///< of what a machine measured [bytes]
+
+/// Pipes and devices are read too, and not beyond `longest` bytes.
+/// @throws Rejected naming the file: (Exit::io) with the reason of the system, (Exit::data) when it is
+/// longer.
+[[nodiscard]] std::string read_text_file(const std::string& path, std::size_t longest = longest_text);
+
+}  // namespace app
+
+/// Files that could not be written; all others were. As an error it reads like the first of them.
+struct NotWritten : mpm::FileError {
+  explicit NotWritten(std::vector<mpm::FileError> all);
+  std::vector<mpm::FileError> files;  ///< one at least
+};
+
+/// Writes that are each tried, whatever became of those before: where a large file does not fit on a disk any
+/// more, a small one may.
+class Attempts {
+ public:
+  /// Calls `write` and keeps what it throws when the disk fails; its other exceptions pass.
+  void operator()(const std::function<void()>& write);
+  /// @throws NotWritten when any write failed.
+  void conclude() const;
+
+ private:
+  std::vector<mpm::FileError> failures_;
+};
+
+namespace app {
+
+/// While it lives, no other program can hold the folder. A program that is killed holds nothing any more; its
+/// file, in_progress.lock, may stay.
+class HeldFolder {
+ public:
+  /// File systems without locks hold nothing, and say nothing.
+  /// @throws Rejected (Exit::interrupted) while another program holds it; mpm::FileError.
+  explicit HeldFolder(const std::filesystem::path& folder);
+  ~HeldFolder();
+  HeldFolder(const HeldFolder&) = delete;
+  HeldFolder& operator=(const HeldFolder&) = delete;
+
+ private:
+  std::filesystem::path lock_;
+  int descriptor_;
+};
+
+}  // namespace app

@@ -1,0 +1,78 @@
+#include "apps/text/words.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+namespace app {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+}  // namespace
+
+int edit_distance(std::string_view first, std::string_view second) {
+  std::vector<int> before(second.size() + 1);
+  std::vector<int> row(second.size() + 1);
+  std::vector<int> next(second.size() + 1);
+  for (std::size_t j = 0; j <= second.size(); ++j) row[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= first.size(); ++i) {
+    next[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= second.size(); ++j) {
+      const int replaced = row[j - 1] + (first[i - 1] == second[j - 1] ? 0 : 1);
+      next[j] = std::min({row[j] + 1, next[j - 1] + 1, replaced});
+      const bool swapped = i > 1 && j > 1 && first[i - 1] == second[j - 2] && first[i - 2] == second[j - 1];
+      if (swapped) next[j] = std::min(next[j], before[j - 2] + 1);
+    }
+    before.swap(row);
+    row.swap(next);
+  }
+  return row[second.size()];
+}
+
+std::string closest(std::string_view written, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest = 200;  // what is longer resembles nothing, and takes long to compare
+  if (written.size() > longest) return {};
+  std::string best;
+  int best_distance = std::numeric_limits<int>::max();
+  for (const std::string& candidate : candidates) {
+    const int distance = edit_distance(lower(written), lower(candidate));
+    if (distance >= best_distance) continue;
+    best = candidate;
+    best_distance = distance;
+  }
+  const auto length = static_cast<int>(std::max(written.size(), best.size()));
+  return best_distance <= std::max(1, length / 3) ? best : std::string();
+}
+
+std::string did_you_mean(std::string_view written, const std::vector<std::string>& candidates) {
+  const std::string best = closest(written, candidates);
+  return best.empty() ? best : "did you mean " + best + "?";
+}
+
+std::string listed(const std::vector<std::string>& names, const char* last) {
+  std::string result;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) result += i + 1 == names.size() ? std::string(" ") + last + " " : ", ";
+    result += names[i];
+  }
+  return result;
+}
+
+}  // namespace app
+
+namespace output {
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::string phase_word(const std::string& phase) { return phase == "itz" ? "ITZ" : phase; }
+
+}  // namespace output

@@ -1,0 +1,31 @@
+/// Words for people: lists, names of phases, and "did you mean ...?"
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// Least number of letters to insert, delete, replace or swap with their neighbour (Damerau-Levenshtein,
+/// restricted).
+[[nodiscard]] int edit_distance(std::string_view first, std::string_view second);
+
+/// The candidate closest to what was written, upper and lower case alike; empty when none is close (one edit
+/// for every three letters).
+[[nodiscard]] std::string closest(std::string_view written, const std::vector<std::string>& candidates);
+
+/// "did you mean X?", or empty when none is close.
+[[nodiscard]] std::string did_you_mean(std::string_view written, const std::vector<std::string>& candidates);
+
+/// "a, b or c".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names, const char* last = "or");
+
+}  // namespace app
+
+namespace output {
+
+[[nodiscard]] std::string capitalised(std::string text);         ///< "tension" -> "Tension"
+[[nodiscard]] std::string phase_word(const std::string& phase);  ///< "itz" -> "ITZ", others as they are
+
+}  // namespace output

@@ -1,0 +1,262 @@
+// Compiled once per instruction set, with MPM_KERNELS naming the table that it defines. Everything here but
+// that table is local to the file, and nothing inline comes in from outside: no code for a newer processor
+// can leak into the rest.
+#include "libmpm/kernels/lattice_kernels.hpp"
+
+#include "libmpm/kernels/unroll.hpp"
+#include "libmpm/material/stress.hpp"
+
+namespace mpm::kernels {
+namespace {
+
+/// What the points of a cell need of its four nodes: differences along its edges, as strain times cell size.
+/// ends[0] is the lower or left edge, ends[1] the upper or right one.
+template <class Real>
+struct EdgeStrains {
+  Real x_of_ux[2], x_of_uy[2], y_of_ux[2], y_of_uy[2];
+};
+
+template <class Real>
+MPM_INLINE EdgeStrains<Real> edge_strains(const CellRow<Real>& row, int i) {
+  const double *ux0 = row.ux_lower, *uy0 = row.uy_lower, *ux1 = row.ux_upper, *uy1 = row.uy_upper;
+  // Differences are taken in double: displacements grow, the strains in one cell stay small.
+  return {{Real(ux0[i + 1] - ux0[i]), Real(ux1[i + 1] - ux1[i])},
+          {Real(uy0[i + 1] - uy0[i]), Real(uy1[i + 1] - uy1[i])},
+          {Real(ux1[i] - ux0[i]), Real(ux1[i + 1] - ux0[i + 1])},
+          {Real(uy1[i] - uy0[i]), Real(uy1[i + 1] - uy0[i + 1])}};
+}
+
+/// Linear interpolation between two edges at point `p` of K.
+template <int K, int P, class Real>
+MPM_INLINE Real between(const Real (&edge)[2]) {
+  constexpr Real far = (Real(P) + Real(0.5)) / Real(K);
+  return (1 - far) * edge[0] + far * edge[1];
+}
+
+/// Not 0 when a point may fail. s1 > T and s3 < -S without a square root: with det = sx sy - sxy^2 and sum =
+/// sx + sy, both principal stresses lie below T exactly when T^2 - T sum + det >= 0 and 2 T - sum >= 0.
+/// Not-a-number is suspect.
+template <Check check, class Real>
+MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, const CellRow<Real>& row, std::ptrdiff_t at) {
+  using F = Flag<Real>;
+  if constexpr (check == Check::none) return 0;
+  const Real tension = Real(row.tension[at]);
+  const Real det = s.xx * s.yy - s.xy * s.xy;
+  const Real sum = s.xx + s.yy;
+  const Real reserve = tension - sum;
+  F suspect = (tension * reserve + det >= 0 ? F(0) : F(1)) | (tension + reserve >= 0 ? F(0) : F(1));
+  if constexpr (check == Check::tension_and_shear) {
+    const Real crush = Real(row.crush[at]);
+    const Real depth = crush + sum;
+    suspect |= (crush * depth + det >= 0 ? F(0) : F(1)) | (crush + depth >= 0 ? F(0) : F(1));
+  }
+  return suspect;
+}
+
+/// Sums over the points of a cell, by row b (of stress along x) and by column a (of stress along y).
+template <class Real, int K>
+struct CellSums {
+  Real xx[K], yy[K], xy_row[K], xy_col[K];
+};
+
+/// Lateral stress ratio of a point; a dead one has no stiffness and no stress to share out.
+template <class Real>
+MPM_INLINE Real lateral_ratio(Real lame, Real shear) {
+  const Real axial = lame + 2 * shear;
+  return lame / (axial > 0 ? axial : Real(1));
+}
+
+/// Stress of point p, already times its stiffness and volume share, added to the sums; returns suspicion.
+template <class Real, int K, int P, bool one_poisson, Check check, bool closure>
+MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real>& edges, int i,
+                                CellSums<Real, K>& sums) {
+  constexpr int a = P % K;
+  constexpr int b = P / K;
+  const std::ptrdiff_t at = P * row.stride + i;
+  const Real exx = between<K, b>(edges.x_of_ux);
+  const Real eyy = between<K, a>(edges.y_of_uy);
+  const Real gxy = between<K, a>(edges.y_of_ux) + between<K, b>(edges.x_of_uy);
+
+  Stress<Real> s;
+  if constexpr (one_poisson) {
+    s = {row.unit_axial * exx + row.unit_lateral * eyy, row.unit_lateral * exx + row.unit_axial * eyy,
+         row.unit_shear * gxy};
+  } else {
+    s = elastic_stress<Real>(row.stiffness[at], row.shear[at], exx, eyy, gxy);
+  }
+  if constexpr (closure) {
+    const Real lateral = row.unilateral * (one_poisson ? row.unit_lateral / row.unit_axial
+                                                       : lateral_ratio(row.stiffness[at], row.shear[at]));
+    const Stress<Real> c = without_tension(s, lateral);
+    const Real cracked = Real(row.cracked[at]);
+    const Real whole = 1 - cracked;
+    s = {whole * s.xx + cracked * c.xx, whole * s.yy + cracked * c.yy, whole * s.xy + cracked * c.xy};
+  }
+  const Flag<Real> suspect = is_suspect<check>(s, row, at);
+
+  const Real weight = one_poisson ? row.stiffness[at] : Real(1);
+  sums.xx[b] += weight * s.xx;
+  sums.yy[a] += weight * s.yy;
+  const Real weighted_xy = weight * s.xy;
+  sums.xy_row[b] += weighted_xy;
+  sums.xy_col[a] += weighted_xy;
+  return suspect;
+}
+
+/// Sum over the K rows or columns with the weight of the far and of the near edge.
+template <int K, class Real>
+struct EdgeSums {
+  Real near = 0, far = 0;
+};
+template <int K, class Real>
+MPM_INLINE EdgeSums<K, Real> edge_sums(const Real (&s)[K]) {
+  EdgeSums<K, Real> sums;
+  unrolled<K>([&](auto p) __attribute__((always_inline)) {
+    constexpr Real far = (Real(p.value) + Real(0.5)) / Real(K);
+    sums.near += (1 - far) * s[p.value];
+    sums.far += far * s[p.value];
+  });
+  return sums;
+}
+
+/// One cell: strains, stresses, suspicion and forces of its K x K points.
+template <class Real, int K, bool one_poisson, Check check, bool closure>
+MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real>& row, int i) {
+  const EdgeStrains<Real> edges = edge_strains<Real>(row, i);
+  CellSums<Real, K> sums{};
+  Flag<Real> suspect = 0;
+  unrolled<K * K>([&](auto p) __attribute__((always_inline)) {
+    suspect |= add_point<Real, K, p.value, one_poisson, check, closure>(row, edges, i, sums);
+  });
+  const auto xx = edge_sums<K>(sums.xx);
+  const auto yy = edge_sums<K>(sums.yy);
+  const auto xy_col = edge_sums<K>(sums.xy_col);
+  const auto xy_row = edge_sums<K>(sums.xy_row);
+  // Minus the divergence of the linear weights: f = -sum over points of V grad(N) . s.
+  row.lower.left_x[i] = xx.near + xy_col.near;
+  row.lower.right_x[i] = xy_col.far - xx.near;
+  row.upper.left_x[i] = xx.far - xy_col.near;
+  row.upper.right_x[i] = -xx.far - xy_col.far;
+  row.lower.left_y[i] = yy.near + xy_row.near;
+  row.lower.right_y[i] = yy.far - xy_row.near;
+  row.upper.left_y[i] = xy_row.far - yy.near;
+  row.upper.right_y[i] = -yy.far - xy_row.far;
+  if constexpr (check != Check::none) row.suspects[i] = suspect;
+  return suspect;
+}
+
+// The body of a vector loop is one call: what it declares itself would be kept in memory, lane by lane.
+template <class Real, int K, bool one_poisson, Check check, bool closure>
+Flag<Real> sweep_cells(const CellRow<Real>& row) {
+  const CellRow<Real> in = row;
+  const int n = in.cells & ~(lane_cells - 1);
+  Flag<Real> any = 0;
+#pragma omp simd reduction(| : any)
+  for (int i = 0; i < n; ++i) any |= sweep_cell<Real, K, one_poisson, check, closure>(in, i);
+  return any;
+}
+
+template <class Real>
+MPM_INLINE double force(const Real* right_below, const Real* left_below, const Real* right_above,
+                        const Real* left_above, int i) {
+  // Node i is the left node of cell i and the right node of cell i - 1.
+  return double((left_above[i] + right_above[i - 1]) + (left_below[i] + right_below[i - 1]));
+}
+
+MPM_INLINE double magnitude(double value) { return value < 0 ? -value : value; }
+
+/// The force less the damping that opposes the motion. Source: local damping, Cundall (1987).
+MPM_INLINE double damping_force(double f, double velocity, double damping) {
+  return -damping * magnitude(f) * (velocity > 0 ? 1.0 : velocity < 0 ? -1.0 : 0.0);
+}
+
+template <class Real, bool damping, bool ledger>
+NodeSums sweep_nodes(const NodeRow<Real>& row) {
+  const int n = row.nodes & ~(lane_cells - 1);
+  const NodeRow<Real> r = row;
+  double momentum_rate = 0;
+  double force_work = 0;
+  double damped = 0;
+  double velocity = 0;
+#pragma omp simd reduction(+ : momentum_rate, force_work, damped, velocity)
+  for (int i = 0; i < n; ++i) {
+    const double fx = force(r.below.right_x, r.below.left_x, r.above.right_x, r.above.left_x, i);
+    const double fy = force(r.below.right_y, r.below.left_y, r.above.right_y, r.above.left_y, i);
+    const double w = r.impulse_over_mass[i];
+    const double vx0 = r.vx[i];
+    const double vy0 = r.vy[i];
+    double total_x = fx;
+    double total_y = fy;
+    if constexpr (damping) {
+      const double dx = damping_force(fx, vx0, r.damping);
+      const double dy = damping_force(fy, vy0, r.damping);
+      total_x += dx;
+      total_y += dy;
+      if (w > 0) damped -= 0.5 * (dx * (2 * vx0 + w * total_x) + dy * (2 * vy0 + w * total_y));
+    }
+    const double vx1 = vx0 + w * total_x;
+    const double vy1 = vy0 + w * total_y;
+    if constexpr (ledger) {
+      if (w > 0) momentum_rate += (vx0 * vx1 + vy0 * vy1) / w;
+      force_work += r.ux[i] * fx + r.uy[i] * fy;
+    }
+    velocity += vy1;
+    r.vx[i] = vx1;
+    r.vy[i] = vy1;
+    r.ux[i] += r.dt * vx1;
+    r.uy[i] += r.dt * vy1;
+  }
+  return {momentum_rate, force_work, damped, velocity};
+}
+
+template <class Real, int K, bool one_poisson>
+SweepCells<Real> cells_by_check(const Features& f) {
+  if (f.crack_closure) return sweep_cells<Real, K, one_poisson, Check::tension_and_shear, true>;
+  switch (f.check) {
+    case Check::none:
+      return sweep_cells<Real, K, one_poisson, Check::none, false>;
+    case Check::tension:
+      return sweep_cells<Real, K, one_poisson, Check::tension, false>;
+    case Check::tension_and_shear:
+      break;
+  }
+  return sweep_cells<Real, K, one_poisson, Check::tension_and_shear, false>;
+}
+
+/// The rare numbers of points a cell have the general kernels only: a longer list would be compiled for
+/// nobody.
+template <class Real, int K>
+SweepCells<Real> general_cells(const Features& f) {
+  if (f.crack_closure) return sweep_cells<Real, K, false, Check::tension_and_shear, true>;
+  if (f.check == Check::none) return sweep_cells<Real, K, false, Check::none, false>;
+  return sweep_cells<Real, K, false, Check::tension_and_shear, false>;
+}
+
+template <class Real>
+SweepCells<Real> cells(const Features& f) {
+  switch (f.points_per_cell) {
+    case 1:
+      return general_cells<Real, 1>(f);
+    case 3:
+      return general_cells<Real, 3>(f);
+    case 4:
+      return general_cells<Real, 4>(f);
+    default:
+      return f.one_poisson_ratio ? cells_by_check<Real, 2, true>(f) : cells_by_check<Real, 2, false>(f);
+  }
+}
+
+template <class Real>
+SweepNodes<Real> nodes(const Features& f) {
+  if (f.damping) return f.ledger ? sweep_nodes<Real, true, true> : sweep_nodes<Real, true, false>;
+  return f.ledger ? sweep_nodes<Real, false, true> : sweep_nodes<Real, false, false>;
+}
+
+}  // namespace
+
+#define MPM_TEXT_OF(name) #name
+#define MPM_TEXT(name) MPM_TEXT_OF(name)
+extern const Kernels MPM_KERNELS = {MPM_TEXT(MPM_KERNELS), cells<float>, cells<double>, nodes<float>,
+                                    nodes<double>};
+
+}  // namespace mpm::kernels

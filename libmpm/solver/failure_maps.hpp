@@ -1,0 +1,76 @@
+/// What a solver counts on the way: energies, and where and when which point failed.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/result.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/archive.hpp"
+#include "libmpm/solver/plan.hpp"
+
+namespace mpm {
+
+/// What a stretch of steps ends with, for the history.
+/// Forces are those on the specimen, up is positive.
+struct Ledger {
+  double time = 0;                 ///< at the beginning of the last step [s]
+  double platen_displacement = 0;  ///< then [m], its amount
+  double force_top = 0;            ///< [N/m]
+  double force_bottom = 0;         ///< [N/m]
+  double platen_work = 0;          ///< [J/m]
+  double kinetic = 0;              ///< [J/m]
+  double elastic = 0;              ///< [J/m]
+  double released = 0;             ///< [J/m]
+  double damped = 0;               ///< [J/m]
+  double left = 0;                 ///< energy of the points that left through open edges [J/m]
+  std::int64_t tension_failures = 0;
+  std::int64_t shear_failures = 0;
+  std::int64_t left_points = 0;
+  std::int64_t carrying_points = 0;  ///< that still have some stiffness
+  std::int64_t diverged_at = -1;     ///< step at which something stopped being a number; -1 = nothing did
+  std::string trouble;  ///< what went wrong otherwise, with the step and the point; empty = nothing
+};
+
+/// Counts and energies so far.
+struct Tally {
+  double platen_work = 0;  ///< [J/m]
+  double released = 0;     ///< [J/m]
+  double damped = 0;       ///< [J/m]
+  std::int64_t tension_failures = 0, shear_failures = 0;
+};
+
+/// Where and when which point failed; see Result.
+struct FailureMaps {
+  Lattice<float> failure_strain, crush_strain;
+  Lattice<std::uint8_t> failure_mode;
+  std::vector<float> extra_failure_strain;
+  std::vector<std::uint8_t> extra_failure_mode;
+
+  void copy_to(Result& result) const;
+};
+[[nodiscard]] FailureMaps empty_maps(const Scene& scene, const Plan& plan);
+
+/// The maps in the archive of a run.
+/// @param maps  of the shape that the scene gives them.
+template <class Archive, class Maps>
+void pass_maps(Archive& archive, Maps& maps) {
+  archive.block(maps.failure_strain);
+  archive.block(maps.failure_mode);
+  archive.block(maps.crush_strain);
+  archive.block(maps.extra_failure_strain);
+  archive.block(maps.extra_failure_mode);
+  if constexpr (Archive::reads) {
+    const auto is_mode = [](std::uint8_t mode) {
+      return mode <= static_cast<std::uint8_t>(FailureMode::shear);
+    };
+    const std::uint8_t* first = maps.failure_mode.data();
+    if (!std::all_of(first, first + maps.failure_mode.size(), is_mode) ||
+        !std::all_of(maps.extra_failure_mode.begin(), maps.extra_failure_mode.end(), is_mode))
+      archive.fail("a failure of no mode");
+  }
+}
+
+}  // namespace mpm

@@ -1,0 +1,61 @@
+/// Where the threads of a run wait for each other, some thousand times a second.
+/// How busy the machine is.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+namespace mpm {
+
+/// Like std::barrier, for waits that are shorter than the way into the kernel and back: a thread first looks
+/// on, then offers its core to others, and only then sleeps. With a sleep at every wait two threads take
+/// longer than one in a run of moving points.
+class Barrier {
+ public:
+  explicit Barrier(int threads) : threads_(threads), missing_(threads) {}
+
+  /// Returns when all threads have come here.
+  void arrive_and_wait() {
+    const std::uint32_t round = round_.load(std::memory_order_relaxed);
+    if (missing_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+      missing_.store(threads_, std::memory_order_relaxed);
+      round_.fetch_add(1, std::memory_order_release);
+      round_.notify_all();
+      return;
+    }
+    const auto is_over = [&] { return round_.load(std::memory_order_acquire) != round; };
+    for (int i = 0; i < looks; ++i) {
+      if (is_over()) return;
+      pause();
+    }
+    for (int i = 0; i < offers; ++i) {
+      if (is_over()) return;
+      std::this_thread::yield();
+    }
+    while (!is_over()) round_.wait(round, std::memory_order_acquire);
+  }
+
+ private:
+  static constexpr int looks = 2000;  ///< some 50 microseconds
+  static constexpr int offers = 200;
+
+  static void pause() {
+#ifdef __x86_64__
+    _mm_pause();
+#endif
+  }
+
+  const int threads_;
+  alignas(64) std::atomic<int> missing_;
+  alignas(64) std::atomic<std::uint32_t> round_{0};
+};
+
+/// Cores that nothing else uses at this moment, >= 1; all of them where the system does not tell.
+[[nodiscard]] int idle_cores();
+
+}  // namespace mpm
