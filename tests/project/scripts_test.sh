@@ -27,7 +27,8 @@ stub apt-get 'echo "apt-get was called"; exit 1'
 expect 0 "" "$install" check
 expect 0 "" "$install" package
 expect 2 "usage:" "$install"
-expect 2 "'nonsense' is no step; the steps are: format gcc clang fuzz tsan coverage tidy cppcheck package" "$source_dir/check" nonsense
+expect 2 "'nonsense' is no step; the steps are: format gcc clang fuzz tsan coverage tidy cppcheck package, and all" "$source_dir/check" nonsense
+expect 2 "usage: ./quickstart [all]" "$source_dir/quickstart" nonsense
 
 stub dpkg-query '[[ $* == *libtiff-dev* ]] && exit 1; echo installed'
 expect 1 "Installing 1 Debian packages: libtiff-dev" "$install" build
