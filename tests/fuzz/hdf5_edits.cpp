@@ -82,8 +82,11 @@ hid_t make_storage(Input& input, hid_t space, const std::vector<hsize_t>& extent
   H5Pset_chunk(storage, static_cast<int>(chunk.size()), chunk.data());
   if (input.ConsumeBool()) H5Pset_deflate(storage, 1);
   if (input.ConsumeBool()) H5Pset_fletcher32(storage);
+  // Those that szip takes, because it reads them whether or not they are there.
+  constexpr std::array<unsigned, 2> parameters{H5_SZIP_NN_OPTION_MASK, 2};
   if (input.ConsumeBool())
-    H5Pset_filter(storage, input.ConsumeIntegralInRange(1, 400), H5Z_FLAG_OPTIONAL, 0, nullptr);
+    H5Pset_filter(storage, input.ConsumeIntegralInRange(1, 400), H5Z_FLAG_OPTIONAL, parameters.size(),
+                  parameters.data());
   return storage;
 }
 
@@ -95,7 +98,7 @@ bool is_packed_by(hid_t storage, H5Z_filter_t filter) {
 }
 
 /// Whether HDF5 can write values into the file: not into another one, and not by szip, which divides by zero
-/// where it was given no parameters.
+/// where its parameters were not fitted to the dataset.
 bool is_writable(hid_t dataset) {
   const hid_t storage = H5Dget_create_plist(dataset);
   const bool inside = H5Pget_layout(storage) != H5D_VIRTUAL && H5Pget_external_count(storage) == 0;

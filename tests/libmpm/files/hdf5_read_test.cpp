@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
+#include "tests/foreign_filter.hpp"
 #include "tests/libmpm/sample_frames.hpp"
 
 namespace hdf5_read_test {
@@ -107,16 +109,25 @@ TEST_F(Hdf5Read, ReadsNoOtherFile) {
 
 /// One of a plug-in, and szip, which divides by zero where a file gives it no parameters.
 TEST_F(Hdf5Read, RunsNoFilterButThoseOfResults) {
-  for (const H5Z_filter_t filter : {32001, H5Z_FILTER_SZIP})
-    EXPECT_THAT(verdict([&](hid_t f) {
-                  const Creation packed;
-                  const hsize_t two = 2;
-                  H5Pset_chunk(packed.id, 1, &two);
-                  H5Pset_filter(packed.id, filter, H5Z_FLAG_OPTIONAL, 0, nullptr);
-                  create(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, packed.id, nullptr);
-                }),
-                HasSubstr("dataset damage is packed by filter " + std::to_string(filter) +
-                          ", which is none of gzip, shuffle and fletcher32"));
+  const test::ForeignFilter foreign;
+  const auto packed = [this](const std::function<void(hid_t)>& pack) {
+    return verdict([&](hid_t f) {
+      const Creation options;
+      const hsize_t two = 2;
+      const std::array<float, 2> zeros{};
+      H5Pset_chunk(options.id, 1, &two);
+      pack(options.id);
+      create(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, options.id, zeros.data());
+    });
+  };
+  const char* const none_of_ours = ", which is none of gzip, shuffle and fletcher32";
+  EXPECT_THAT(packed([](hid_t options) {
+                H5Pset_filter(options, test::ForeignFilter::id, H5Z_FLAG_MANDATORY, 0, nullptr);
+              }),
+              HasSubstr(std::string("dataset damage is packed by filter 32001") + none_of_ours));
+  EXPECT_EQ(foreign.unpacked(), 0);
+  EXPECT_THAT(packed(test::pack_by_szip),
+              HasSubstr(std::string("dataset damage is packed by filter 4") + none_of_ours));
 }
 
 /// HDF5 opens the sources of a view to know how far it reaches, and would wait for ever for one that is a

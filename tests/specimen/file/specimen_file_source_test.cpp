@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 
 #include <array>
+#include <functional>
 
+#include "tests/foreign_filter.hpp"
 #include "tests/specimen/changed_file.hpp"
 
 namespace specimen_file_source_test {
@@ -152,16 +154,24 @@ TEST_F(SpecimenFileSource, ReadsNoOtherFile) {
 
 /// One of a plug-in, and szip, which divides by zero where a file gives it no parameters.
 TEST_F(SpecimenFileSource, RunsNoFilterButThoseOfSpecimens) {
-  for (const H5Z_filter_t filter : {32001, H5Z_FILTER_SZIP})
-    EXPECT_EQ(verdict([filter](hid_t f) {
-                const Options options;
-                const Extent chunk = {6, 8};
-                H5Pset_chunk(options.id, 2, chunk.data());
-                H5Pset_filter(options.id, filter, H5Z_FLAG_OPTIONAL, 0, nullptr);
-                replace(f, "/labels", H5T_STD_U8LE, {6, 8}, nullptr, options.id);
-              }),
-              "/labels: filter " + std::to_string(filter) +
-                  "; must be gzip, shuffle or fletcher32, each of them once");
+  const test::ForeignFilter foreign;
+  const auto packed = [this](const std::function<void(hid_t)>& pack) {
+    return verdict([&](hid_t f) {
+      const Options options;
+      const Extent chunk = {6, 8};
+      const std::array<unsigned char, 48> zeros{};
+      H5Pset_chunk(options.id, 2, chunk.data());
+      pack(options.id);
+      replace(f, "/labels", H5T_STD_U8LE, {6, 8}, zeros.data(), options.id);
+    });
+  };
+  EXPECT_EQ(packed([](hid_t options) {
+              H5Pset_filter(options, test::ForeignFilter::id, H5Z_FLAG_MANDATORY, 0, nullptr);
+            }),
+            "/labels: filter 32001; must be gzip, shuffle or fletcher32, each of them once");
+  EXPECT_EQ(foreign.unpacked(), 0);
+  EXPECT_EQ(packed(test::pack_by_szip),
+            "/labels: filter 4; must be gzip, shuffle or fletcher32, each of them once");
 }
 
 /// HDF5 opens the sources of a view to know how far it reaches, and would wait for ever for one that is a
