@@ -88,7 +88,7 @@ std::string write_roi(const SpecimenExport& wanted) {
 }
 
 template <class T>
-specimen::Raster<T> raster_of(const mpm::Lattice<T>& values) {
+specimen::Raster<T> raster_of(const mpm::PixelField<T>& values) {
   specimen::Raster<T> raster(static_cast<int>(values.rows()), static_cast<int>(values.cols()));
   std::copy_n(values.data(), raster.size(), raster.data.begin());
   return raster;

@@ -97,8 +97,8 @@ std::vector<std::optional<mpm::Phase>> phases_of(const specimen::Specimen& speci
   return phases;
 }
 
-mpm::Lattice<std::uint8_t> lattice_of(const specimen::Raster<std::uint8_t>& labels) {
-  return Eigen::Map<const mpm::Lattice<std::uint8_t>>(labels.data.data(), labels.rows, labels.cols);
+mpm::PixelField<std::uint8_t> lattice_of(const specimen::Raster<std::uint8_t>& labels) {
+  return Eigen::Map<const mpm::PixelField<std::uint8_t>>(labels.data.data(), labels.rows, labels.cols);
 }
 
 bool all_void(const mpm::Scene& scene, Eigen::Index first_row) {

@@ -221,7 +221,7 @@ auto figure(T mpm::Result::*member) {
 }
 
 template <class T>
-auto map_of(mpm::Lattice<T> mpm::Result::*member) {
+auto map_of(mpm::PixelField<T> mpm::Result::*member) {
   return [member](const py::object& self) { return view(run_of(self).result.*member, self); };
 }
 

@@ -37,7 +37,7 @@ template <class T>
 
 /// The same; None for a lattice that is empty.
 template <class T>
-[[nodiscard]] py::object view(const mpm::Lattice<T>& lattice, const py::object& owner) {
+[[nodiscard]] py::object view(const mpm::PixelField<T>& lattice, const py::object& owner) {
   constexpr auto size = static_cast<py::ssize_t>(sizeof(T));
   if (lattice.size() == 0) return py::none();
   return frozen_view(py::dtype::of<T>(), {lattice.rows(), lattice.cols()}, {lattice.cols() * size, size},

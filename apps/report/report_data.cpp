@@ -142,7 +142,7 @@ Json phases_of(const RunRecord& record, const Palette& colour, const Palette& gr
 }
 
 template <class T>
-Json packed(const mpm::Lattice<T>& map) {
+Json packed(const mpm::PixelField<T>& map) {
   return deflated_base64(std::span<const T>(map.data(), static_cast<std::size_t>(map.size())));
 }
 

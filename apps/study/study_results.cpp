@@ -48,7 +48,7 @@ void add_cracks(CrackCount& cracks, const mpm::Result& result) {
   const auto& mode = result.failure_mode;
   const bool first = cracks.members == 0;
   ++cracks.members;
-  if (first) cracks.failures = mpm::Lattice<int>::Zero(mode.rows(), mode.cols());
+  if (first) cracks.failures = mpm::PixelField<int>::Zero(mode.rows(), mode.cols());
   const bool fits = cracks.failures.rows() == mode.rows() && cracks.failures.cols() == mode.cols();
   if (fits)
     cracks.failures += (mode != 0).cast<int>();

@@ -27,7 +27,7 @@ struct MemberOutcome {
 
 /// How often each pixel has failed by the end of a run.
 struct CrackCount {
-  mpm::Lattice<int> failures;  ///< by pixel, row 0 on top; empty when the members have no common picture
+  mpm::PixelField<int> failures;  ///< by pixel, row 0 on top; empty when the members have no common picture
   int members = 0;
 };
 

@@ -15,7 +15,7 @@ using namespace hdf5;
 using namespace result_file;
 
 template <class T>
-void write_map(hid_t parent, const std::string& name, const Lattice<T>& map, const std::string& meaning,
+void write_map(hid_t parent, const std::string& name, const PixelField<T>& map, const std::string& meaning,
                const std::string& unit = "1") {
   write_values(parent, name, {static_cast<hsize_t>(map.rows()), static_cast<hsize_t>(map.cols())}, map.data(),
                {unit, meaning});

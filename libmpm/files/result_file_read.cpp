@@ -11,8 +11,8 @@ using namespace hdf5;
 using namespace result_file;
 
 template <class T>
-Lattice<T> read_map(hid_t file, const std::string& name) {
-  Lattice<T> map;
+PixelField<T> read_map(hid_t file, const std::string& name) {
+  PixelField<T> map;
   read_values<T>(file, name, 2, [&](const std::vector<hsize_t>& extent) {
     map.resize(static_cast<Eigen::Index>(extent[0]), static_cast<Eigen::Index>(extent[1]));
     return map.data();
@@ -67,7 +67,7 @@ void read_figures(hid_t file, Result& result) {
 }
 
 template <class A, class B>
-bool same_shape(const Lattice<A>& a, const Lattice<B>& b) {
+bool same_shape(const PixelField<A>& a, const PixelField<B>& b) {
   return a.rows() == b.rows() && a.cols() == b.cols();
 }
 

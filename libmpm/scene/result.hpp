@@ -49,17 +49,17 @@ struct Result {
   double peak_strain = 0;           ///< platen strain at the peak [-]
   /// Platen strain at which the point of a pixel failed, NaN = it did not; the picture of damage at any
   /// strain follows from this and the mode.
-  Lattice<float> failure_strain;
-  Lattice<std::uint8_t> failure_mode;  ///< FailureMode of that failure
+  PixelField<float> failure_strain;
+  PixelField<std::uint8_t> failure_mode;  ///< FailureMode of that failure
   /// With crack closure only: platen strain at which a point that had cracked was crushed in shear; else
   /// empty.
-  Lattice<float> crush_strain;
+  PixelField<float> crush_strain;
   /// With moving points only: where the point of a pixel is at the end, in the picture [m]; NaN = there is
   /// none. Else empty.
-  Lattice<float> end_x, end_y;
+  PixelField<float> end_x, end_y;
   /// With Motion::deformation_gradient only: F of the point of a pixel at the end [-], xx, xy, yx, yy; else
   /// empty.
-  std::array<Lattice<float>, 4> deformation;
+  std::array<PixelField<float>, 4> deformation;
   std::vector<float> extra_failure_strain;       ///< the same for Scene::extra_points, in their order
   std::vector<std::uint8_t> extra_failure_mode;  ///< the same for Scene::extra_points, in their order
   std::int64_t tension_failures = 0;             ///< extra points included

@@ -119,7 +119,7 @@ struct Damage {
 };
 
 struct Scene {
-  Lattice<std::uint8_t> labels;              ///< label per pixel, row 0 on top
+  PixelField<std::uint8_t> labels;           ///< label per pixel, row 0 on top
   double pixel_size = 0;                     ///< [m], > 0
   std::vector<std::optional<Phase>> phases;  ///< by label; nullopt = void
   std::vector<ExtraPoint> extra_points;

@@ -44,8 +44,8 @@ struct Tally {
 
 /// Where and when which point failed; see Result.
 struct FailureMaps {
-  Lattice<float> failure_strain, crush_strain;
-  Lattice<std::uint8_t> failure_mode;
+  PixelField<float> failure_strain, crush_strain;
+  PixelField<std::uint8_t> failure_mode;
   std::vector<float> extra_failure_strain;
   std::vector<std::uint8_t> extra_failure_mode;
 

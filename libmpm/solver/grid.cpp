@@ -55,8 +55,8 @@ Pixel pixel_at(const Scene& scene, double x, double y) {
   return {rows - 1 - from_below, col};
 }
 
-Lattice<std::uint16_t> points_per_pixel(const Scene& scene) {
-  Lattice<std::uint16_t> count = Lattice<std::uint16_t>::Ones(scene.labels.rows(), scene.labels.cols());
+PixelField<std::uint16_t> points_per_pixel(const Scene& scene) {
+  PixelField<std::uint16_t> count = PixelField<std::uint16_t>::Ones(scene.labels.rows(), scene.labels.cols());
   for (const auto& point : scene.extra_points) {
     const Pixel pixel = pixel_at(scene, point.x, point.y);
     ++count(pixel.row, pixel.col);

@@ -31,7 +31,7 @@ struct Grid {
 [[nodiscard]] Grid make_grid(const Scene& scene, const Plan& plan);
 
 /// Number of material points that share each pixel: 1, and one more for every extra point in it.
-[[nodiscard]] Lattice<std::uint16_t> points_per_pixel(const Scene& scene);
+[[nodiscard]] PixelField<std::uint16_t> points_per_pixel(const Scene& scene);
 
 /// Pixel in which a place lies.
 struct Pixel {

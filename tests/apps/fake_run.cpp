@@ -113,7 +113,7 @@ void fill_history(mpm::Result& result, double end_strain, double velocity) {
 FakeRun run_of(int pixels, double peak_stress, double peak_strain, double end_strain, double shear_share) {
   FakeRun run{draw_specimen(pixels), {}, {}, {}};
   const specimen::LabelledMask& mask = run.specimen.mask;
-  run.scene.labels = Eigen::Map<const mpm::Lattice<std::uint8_t>>(mask.labels.data.data(), pixels, pixels);
+  run.scene.labels = Eigen::Map<const mpm::PixelField<std::uint8_t>>(mask.labels.data.data(), pixels, pixels);
   run.scene.phases = {std::nullopt};  // voids
   for (const mpm::Phase& phase : mpm::concrete_phases()) run.scene.phases.emplace_back(phase);
   run.scene.pixel_size = mask.pixel_size;
@@ -227,7 +227,7 @@ FakeRun still_run(const std::vector<std::string>& rows) {
           static_cast<std::uint8_t>(rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(col)] - '0');
   run.scene.pixel_size = 1e-3;
   run.scene.labels =
-      Eigen::Map<const mpm::Lattice<std::uint8_t>>(run.specimen.mask.labels.data.data(), n_rows, n_cols);
+      Eigen::Map<const mpm::PixelField<std::uint8_t>>(run.specimen.mask.labels.data.data(), n_rows, n_cols);
   run.result.failure_strain.setConstant(n_rows, n_cols, intact);
   run.result.failure_mode.setZero(n_rows, n_cols);
   return run;

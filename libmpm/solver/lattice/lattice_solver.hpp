@@ -159,8 +159,8 @@ class LatticeSolver {
   LatticePoints<Real> points_;
   ExtraPoints extra_;
   std::int64_t all_points_ = 0;
-  Lattice<std::uint16_t> shares_;   ///< points a pixel; empty when there are no extra points
-  Eigen::Matrix3d unit_stiffness_;  ///< of a phase with E = 1 and the plan's Poisson ratio [-]
+  PixelField<std::uint16_t> shares_;  ///< points a pixel; empty when there are no extra points
+  Eigen::Matrix3d unit_stiffness_;    ///< of a phase with E = 1 and the plan's Poisson ratio [-]
   kernels::SweepCells<Real> sweep_cells_;
   kernels::SweepNodes<Real> sweep_nodes_;
   kernels::SweepNodes<Real> sweep_nodes_ledger_;

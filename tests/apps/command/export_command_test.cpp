@@ -26,8 +26,8 @@ class ExportCommand : public test::ProgramInFolder {
   void SetUp() override {
     specimen::write_specimen("specimen.h5", test::small_specimen());
     mpm::Result result;
-    result.failure_mode = mpm::Lattice<std::uint8_t>::Zero(2, 3);
-    result.failure_strain = mpm::Lattice<float>::Constant(2, 3, std::numeric_limits<float>::quiet_NaN());
+    result.failure_mode = mpm::PixelField<std::uint8_t>::Zero(2, 3);
+    result.failure_strain = mpm::PixelField<float>::Constant(2, 3, std::numeric_limits<float>::quiet_NaN());
     result.failure_mode(0, 1) = 2;
     result.failure_strain(0, 1) = 1.5e-4F;
     write_run("run", result);
@@ -110,7 +110,7 @@ TEST_F(ExportCommand, MapsOfARunLieInItsFolder) {
 
 TEST_F(ExportCommand, FailureStrainsAreThoseOfTheResult) {
   mpm::Result broken;
-  broken.failure_mode = mpm::Lattice<std::uint8_t>::Ones(2, 2);
+  broken.failure_mode = mpm::PixelField<std::uint8_t>::Ones(2, 2);
   broken.failure_strain.resize(2, 2);
   broken.failure_strain << 1e-4F, 2e-4F, 3e-4F, 4e-4F;
   write_run("broken", broken);

@@ -15,7 +15,7 @@ struct Square {
     mask.labels = specimen::Raster<std::uint8_t>(60, 60, specimen::phase::mortar);
     mask.pixel_size = 1e-3;
     result.peak_strain = 100e-6;
-    result.failure_strain = mpm::Lattice<float>::Constant(60, 60, std::numeric_limits<float>::quiet_NaN());
+    result.failure_strain = mpm::PixelField<float>::Constant(60, 60, std::numeric_limits<float>::quiet_NaN());
   }
   /// @param height  of the row of pixels [mm from below].
   void crack(int height, int first_col, int last_col, float strain) {

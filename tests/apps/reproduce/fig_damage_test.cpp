@@ -21,8 +21,8 @@ Section section_of(int tension_before, int shear_before, int shear_after) {
     const specimen::Specimen specimen = app::prepare_specimen(settings_of(trial)).specimen;
     const int rows = specimen.mask.labels.rows, cols = specimen.mask.labels.cols;
     mpm::Result result = test::triangle(1e6, 1e-4);
-    result.failure_strain = mpm::Lattice<float>::Constant(rows, cols, 1.0F);
-    result.failure_mode = mpm::Lattice<std::uint8_t>::Constant(rows, cols, 2);
+    result.failure_strain = mpm::PixelField<float>::Constant(rows, cols, 1.0F);
+    result.failure_mode = mpm::PixelField<std::uint8_t>::Constant(rows, cols, 2);
     result.failure_strain.topRows(tension_before + shear_before).setConstant(0.9e-4F);
     result.failure_mode.topRows(tension_before).setConstant(1);
     result.failure_strain.bottomRows(shear_after).setConstant(1.4e-4F);

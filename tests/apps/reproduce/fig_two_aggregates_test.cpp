@@ -24,9 +24,9 @@ void put(Outcomes& outcomes, const Trial& trial, double stress, double strain, d
   mpm::Result result = test::triangle(stress, strain);
   const specimen::Specimen specimen = app::prepare_specimen(settings_of(trial)).specimen;
   const specimen::LabelledMask& mask = specimen.mask;
-  result.failure_strain = mpm::Lattice<float>::Constant(mask.labels.rows, mask.labels.cols,
-                                                        std::numeric_limits<float>::quiet_NaN());
-  result.failure_mode = mpm::Lattice<std::uint8_t>::Constant(mask.labels.rows, mask.labels.cols, 1);
+  result.failure_strain = mpm::PixelField<float>::Constant(mask.labels.rows, mask.labels.cols,
+                                                           std::numeric_limits<float>::quiet_NaN());
+  result.failure_mode = mpm::PixelField<std::uint8_t>::Constant(mask.labels.rows, mask.labels.cols, 1);
   const auto row = static_cast<Eigen::Index>(mask.labels.rows - 1 - crack_height / mask.pixel_size);
   result.failure_strain.row(row).setConstant(static_cast<float>(1.2 * strain));
   test::put(outcomes, trial, std::move(result));

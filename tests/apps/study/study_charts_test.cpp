@@ -91,7 +91,7 @@ TEST(StudyCharts, CracksAreSharesOfTheMembers) {
   mask.pixel_size = 1e-3;
   mask.labels = {2, 3};
   CrackCount cracks;
-  cracks.failures = mpm::Lattice<int>::Zero(2, 3);
+  cracks.failures = mpm::PixelField<int>::Zero(2, 3);
   cracks.failures(0, 1) = 4;
   cracks.failures(1, 2) = 2;
   cracks.members = 4;

@@ -20,8 +20,8 @@ class StudyResultsOf : public testing::Test {
 
   void put(std::size_t member, int side, int failed) {
     mpm::Result result = test::triangle(3e6, 1e-4);
-    result.failure_strain = mpm::Lattice<float>::Constant(side, side, std::nanf(""));
-    result.failure_mode = mpm::Lattice<std::uint8_t>::Zero(side, side);
+    result.failure_strain = mpm::PixelField<float>::Constant(side, side, std::nanf(""));
+    result.failure_mode = mpm::PixelField<std::uint8_t>::Zero(side, side);
     for (int i = 0; i < failed; ++i) result.failure_mode(0, i) = 1;
     result.instruction_set = "baseline";
     mpm::write_result(folder_.result_file(members_[member]).string(), result,

@@ -139,7 +139,7 @@ TEST_F(ResultFileRead, FollowsNoLinks) {
 
 TEST_F(ResultFileRead, NoticesAFlippedBitInAMap) {
   mpm::Result result = odd_result();
-  result.failure_strain = mpm::Lattice<float>::Random(400, 400);  // fills the greater part of the file
+  result.failure_strain = mpm::PixelField<float>::Random(400, 400);  // fills the greater part of the file
   result.failure_mode.setZero(400, 400);
   mpm::write_result(path_, result, "");
   std::string bytes = bytes_of(path_);

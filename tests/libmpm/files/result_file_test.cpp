@@ -26,7 +26,7 @@ void expect_same(double read, double written) {
 void expect_same(std::int64_t read, std::int64_t written) { EXPECT_EQ(read, written); }
 
 template <class T>
-void expect_same(const mpm::Lattice<T>& read, const mpm::Lattice<T>& written) {
+void expect_same(const mpm::PixelField<T>& read, const mpm::PixelField<T>& written) {
   ASSERT_EQ(read.rows(), written.rows());
   ASSERT_EQ(read.cols(), written.cols());
   for (Eigen::Index i = 0; i < written.size(); ++i)

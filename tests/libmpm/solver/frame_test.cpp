@@ -178,7 +178,7 @@ TEST(Frame, OfAStretchedBlockHasTheStressOfThePlatensAndTheirStrain) {
 
 /// Of the stresses that the points carry [J/m]; for points that are intact or carry nothing.
 double elastic_energy(const Scene& scene, const Frame& frame) {
-  mpm::Lattice<int> shares;
+  mpm::PixelField<int> shares;
   shares.setOnes(scene.labels.rows(), scene.labels.cols());
   const auto pixel_of = [&](const FramePoint& p) -> int& {
     const auto place = samples::rest_place(scene, p.id);

@@ -8,7 +8,7 @@
 
 int main() {
   mpm::Scene scene;
-  scene.labels = mpm::Lattice<std::uint8_t>::Constant(20, 20, 1);
+  scene.labels = mpm::PixelField<std::uint8_t>::Constant(20, 20, 1);
   scene.pixel_size = 1e-3;
   scene.phases = {std::nullopt, mpm::concrete_phases().at(1)};
   scene.loading.velocity = 0.2;
