@@ -45,7 +45,7 @@ std::optional<double> number_of(const Field& field, const Settings& settings) {
   const Value value = field.get(settings);
   if (const auto* number = std::get_if<double>(&value.data)) return *number;
   try {
-    return parse_quantity(std::get<std::string>(value.data), field.measure->dimension);
+    return parse_quantity(std::get<std::string>(value.data), field.form.measure->dimension);
   } catch (const Mistake&) {
     return std::nullopt;
   }
@@ -152,8 +152,9 @@ class ParameterReader {
 
   void check_field(const Field& field, const std::string& given) const {
     const std::string group = group_of(field.key);
-    if (!field.measure) refuse(given, "is no quantity that can be scaled");
-    if ((group != "phases" && group != "loading" && group != "damage") || field.key == "loading.stop_strain")
+    if (!field.form.measure) refuse(given, "is no quantity that can be scaled");
+    if ((group != "phases" && group != "loading" && group != "damage") ||
+        field.key.starts_with("loading.stop_"))
       refuse(given, "no property of the model; must be a quantity of phases, loading or damage");
     if (const std::string reason = why_unused(field.key, settings_); !reason.empty()) refuse(given, reason);
     if (group != "phases") return;
@@ -169,7 +170,7 @@ class ParameterReader {
 
   static void read_bounds(const std::string& item, const std::string& text, FreeParameter& parameter) {
     const ScaledSetting& first = parameter.settings.front();
-    const Dimension dimension = first.field.measure->dimension;
+    const Dimension dimension = first.field.form.measure->dimension;
     const std::size_t dots = text.find("..");
     const std::string low = text.substr(0, dots);
     const std::string high = dots == std::string::npos ? "" : text.substr(dots + 2);
@@ -186,7 +187,7 @@ class ParameterReader {
 
   /// Bounds of the schema, less a little: some are not allowed themselves.
   static void confine(const ScaledSetting& setting, FreeParameter& parameter) {
-    const Bounds& bounds = setting.field.measure->bounds;
+    const Bounds& bounds = setting.field.form.measure->bounds;
     const auto just_inside = [&](double bound) {
       return (setting.start + inside_share * (bound - setting.start)) / setting.start;
     };
@@ -207,7 +208,7 @@ constexpr double bound_width = 0.05;  ///< of the logarithm of a factor
 double ScaledSetting::value(double factor) const { return rounded(start * factor); }
 
 std::string ScaledSetting::text(double factor) const {
-  const Dimension dimension = field.measure->dimension;
+  const Dimension dimension = field.form.measure->dimension;
   const std::string at_start = format_quantity(start, dimension);
   const std::size_t blank = at_start.find(' ');
   if (blank == std::string::npos) return format_number(value(factor));
@@ -224,7 +225,7 @@ void scale(Settings& settings, const std::vector<FreeParameter>& parameters,
            const std::vector<double>& factors) {
   for (std::size_t i = 0; i < parameters.size(); ++i)
     for (const ScaledSetting& setting : parameters[i].settings)
-      setting.field.set(settings, written(setting.value(factors[i]), setting.field.measure->dimension));
+      setting.field.set(settings, written(setting.value(factors[i]), setting.field.form.measure->dimension));
 }
 
 bool is_at_low_bound(const FreeParameter& parameter, double factor) {

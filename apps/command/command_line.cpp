@@ -107,8 +107,8 @@ void SettingOptions::add_field(CLI::App& app, const Group& group, const Field& f
   static const Settings defaults;
   const std::string help = described(field.help, default_text(field.get(defaults)));
   CLI::Option* option =
-      field.kind == Kind::boolean ? app.add_flag(names, help) : add_text_option(app, names, help);
-  if (field.kind != Kind::boolean) option->type_name(field.type);
+      field.form.kind == Kind::boolean ? app.add_flag(names, help) : add_text_option(app, names, help);
+  if (field.form.kind != Kind::boolean) option->type_name(type(field.form));
   option->group(in_help ? group.title : "")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   bound_.push_back({field, option});
 }
@@ -116,7 +116,7 @@ void SettingOptions::add_field(CLI::App& app, const Group& group, const Field& f
 void SettingOptions::add_phase_help(CLI::App& app, const Group& group) {
   for (const PhaseField& property : phase_fields())
     add_text_option(app, "--PHASE." + with_dashes(property.key), property.help)
-        ->type_name(property.type)
+        ->type_name(type(property.form))
         ->group(group.title + " (PHASE = aggregate, mortar, itz, or one of your own)");
 }
 
@@ -135,7 +135,7 @@ std::vector<std::string> SettingOptions::take_phase_options(const std::vector<st
     }
     const bool value_follows = !option->value && i + 1 < arguments.size();
     const std::string value = option->value ? *option->value : value_follows ? arguments[++i] : "";
-    phases_.push_back(given_as_option(key, find_field(key)->kind, "--" + option->name, value));
+    phases_.push_back(given_as_option(key, find_field(key)->form.kind, "--" + option->name, value));
   }
   return rest;
 }
@@ -152,14 +152,14 @@ Assignment SettingOptions::from_set(const std::string& text) const {
     throw Rejected(Exit::usage, complaint("--set " + key, "unknown key", suggest_key(key, Settings())));
   if (!offer_.has(key))
     throw Rejected(Exit::usage, complaint("--set " + key, "has no effect here", "remove it"));
-  return given_as_option(key, field->kind, "--set " + key, value);
+  return given_as_option(key, field->form.kind, "--set " + key, value);
 }
 
 std::vector<Assignment> SettingOptions::assignments() const {
   std::vector<Assignment> given = phases_;
   for (const Bound& bound : bound_)
     for (const std::string& text : bound.option->results())
-      given.push_back(given_as_option(bound.field.key, bound.field.kind,
+      given.push_back(given_as_option(bound.field.key, bound.field.form.kind,
                                       "--" + bound.option->get_lnames().front(), text));
   for (const std::string& text : set_->results()) given.push_back(from_set(text));
   std::set<std::string> keys;

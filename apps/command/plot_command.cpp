@@ -72,7 +72,7 @@ Format format_of(const std::string& path) {
 /// A strain, or a share of that at the peak: "120e-6", "0.5 %", "90%peak".
 double strain_at(const std::string& text, const mpm::Result& result) {
   constexpr std::string_view peak = "peak";
-  const Quantity number{Dimension::ratio, {}, {}};
+  const QuantityCodec number{Dimension::ratio};
   if (!text.ends_with(peak)) return read_option("--at", text, number);
   const double share = read_option("--at", text.substr(0, text.size() - peak.size()), number);
   if (!(result.peak_strain > 0))

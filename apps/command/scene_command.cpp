@@ -111,7 +111,7 @@ SceneInitCommand::SceneInitCommand(CLI::App& scene)
   options().add_option("--specimen", specimen_, "the specimen is this file, specimen.h5")->type_name("FILE");
   options()
       .add_option("--loading", loading_, "what is done to it [tension]")
-      ->type_name(find_field("loading.direction")->type);
+      ->type_name(type(find_field("loading.direction")->form));
   options()
       .add_option("--schema", schema_, "write the JSON Schema into this file, and its name into the scene")
       ->type_name("FILE");

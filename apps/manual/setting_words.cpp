@@ -1,7 +1,6 @@
 #include "apps/manual/setting_words.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "apps/scene/ellipse_list.hpp"
 #include "apps/text/words.hpp"
@@ -11,26 +10,14 @@ namespace {
 
 using app::Value;
 
-/// A value below all that a number of this kind may be.
-template <class Field>
-Value far_below(const Field& field) {
-  if (!field.measure) return {std::numeric_limits<std::int64_t>::min()};
-  return {app::format_quantity(-1e300, field.measure->dimension)};
-}
-
-/// The field itself says what it accepts, when it is given what it cannot accept.
-template <class Field, class Object>
-std::string allowed_by(const Field& field, Object object) {
-  if (field.kind != app::Kind::quantity && field.kind != app::Kind::integer) return {};
-  try {
-    field.set(object, far_below(field));
-  } catch (const app::Mistake& mistake) {
-    const std::string must = mistake.allowed;
-    for (const char* verb : {"must be ", "must lie "})
-      if (must.rfind(verb, 0) == 0) return must.substr(std::string(verb).size());
-    return must;
-  }
-  return "any";
+/// "> 0", "in [2, 16], or "auto""; "any" number; empty where the type says it all.
+std::string allowed_by(const app::Form& form) {
+  if (!form.measure && !form.whole) return {};
+  std::string allowed = form.whole ? form.whole->range(app::Dimension::ratio)
+                                   : form.measure->bounds.range(form.measure->dimension);
+  if (allowed.empty()) allowed = "any";
+  for (const std::string& word : form.words) allowed += ", or " + app::quoted(word);
+  return allowed;
 }
 
 std::string default_of(const Value& value) {
@@ -42,8 +29,8 @@ std::string default_of(const Value& value) {
 
 template <class Field, class Object>
 SettingWords words_of(const std::string& key, const Field& field, const Object& defaults) {
-  return {key, field.kind == app::Kind::boolean ? "true|false" : field.type, default_of(field.get(defaults)),
-          allowed_by(field, defaults), field.help};
+  return {key, field.form.kind == app::Kind::boolean ? "true|false" : app::type(field.form),
+          default_of(field.get(defaults)), allowed_by(field.form), field.help};
 }
 
 TableWords phases_table(const app::Group& group) {
@@ -126,7 +113,7 @@ std::vector<TypeWords> quantity_types() {
        {Dimension::ratio, Dimension::length, Dimension::area, Dimension::pressure, Dimension::angle,
         Dimension::velocity, Dimension::density, Dimension::time, Dimension::energy})
     types.push_back(
-        {app::Quantity{dimension, {}, {}}.type(),
+        {app::QuantityCodec{dimension}.form().name,
          (dimension == Dimension::ratio ? "no unit, " : "") + app::listed(app::unit_names(dimension)),
          app::example(dimension)});
   return types;

@@ -55,12 +55,12 @@ bool is_list(py::handle value) {
 
 /// Numbers are in SI units, which a scene has to write behind them.
 app::Value with_unit(const app::Field& field, app::Value value) {
-  if (!field.measure || field.measure->dimension == app::Dimension::ratio) return value;
+  if (!field.form.measure || field.form.measure->dimension == app::Dimension::ratio) return value;
   double number = std::numeric_limits<double>::quiet_NaN();
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) number = static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value.data)) number = *real;
   if (!std::isfinite(number)) return value;
-  return {app::format_quantity(number, field.measure->dimension)};
+  return {app::format_quantity(number, field.form.measure->dimension)};
 }
 
 std::string written(py::handle value) {
@@ -106,14 +106,15 @@ std::string default_text(const app::Value& value) {
 
 template <class Field, class Object>
 py::tuple row(const std::string& name, const std::string& key, const Field& field, const Object& defaults) {
-  const std::string type = field.kind == app::Kind::boolean ? "BOOLEAN" : field.type;
+  const std::string type = field.form.kind == app::Kind::boolean ? "BOOLEAN" : app::type(field.form);
   return py::make_tuple(name, key, type, default_text(field.get(defaults)), field.help);
 }
 
 }  // namespace
 
 app::Value value_of(const app::Field& field, py::handle value) {
-  if (py::isinstance<py::str>(value)) return app::from_command_line(field.kind, value.cast<std::string>());
+  if (py::isinstance<py::str>(value))
+    return app::from_command_line(field.form.kind, value.cast<std::string>());
   if (is_path(value)) return {path_text(py::reinterpret_borrow<py::object>(value))};
   if (is_list(value)) return list_of(value);
   return with_unit(field, scalar(value));

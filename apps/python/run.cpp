@@ -55,7 +55,7 @@ class Task {
   std::optional<double> read_tolerance() const {
     if (wanted_.tolerance.is_none()) return std::nullopt;
     return app::read_option("--tolerance", option_text(wanted_.tolerance),
-                            app::Quantity{app::Dimension::ratio, app::inside(0, 1), {}});
+                            app::QuantityCodec{app::Dimension::ratio, app::inside(0, 1)});
   }
 
   void check(const std::optional<double>& tolerance) const {

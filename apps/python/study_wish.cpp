@@ -62,7 +62,8 @@ class GivenSpecimen {
 /// As the study file has it: paths in full, since the file stands elsewhere.
 std::string toml_of(const app::Field& field, py::handle value) {
   app::Value setting = value_of(field, value);
-  if (auto* text = std::get_if<std::string>(&setting.data); text != nullptr && field.kind == app::Kind::path)
+  if (auto* text = std::get_if<std::string>(&setting.data);
+      text != nullptr && field.form.kind == app::Kind::path)
     *text = fs::absolute(*text).lexically_normal().string();
   return app::toml_text(setting);
 }

@@ -53,7 +53,7 @@ Settings settings_of(const Trial& trial) {
   for (const auto& [key, value] : lasting(trial.settings)) {
     const auto field = find_field(key);
     if (!field) throw Rejected(Exit::internal, complaint(key, "unknown key", "", "in " + name_of(trial)));
-    given.push_back(given_as_option(key, field->kind, "--set " + key, value));
+    given.push_back(given_as_option(key, field->form.kind, "--set " + key, value));
   }
   return resolve(parse_scene(paper_scene(trial.scene).text, path_of_scene(trial.scene)), given).settings;
 }

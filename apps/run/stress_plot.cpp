@@ -60,7 +60,7 @@ output::ColourScale read_range(const std::string& text) {
   const std::string high = text.substr(colon + 1);
   std::string low = text.substr(0, colon);
   if (unit_of(low).empty()) low += " " + unit_of(high);
-  const Quantity pressure{Dimension::pressure, {}, {}};
+  const QuantityCodec pressure{Dimension::pressure};
   const output::ColourScale range{1e-6 * read_option("--range", low, pressure),
                                   1e-6 * read_option("--range", high, pressure)};
   if (!(range.low < range.high))

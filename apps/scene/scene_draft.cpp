@@ -174,7 +174,7 @@ class Draft {
       const Value usual = field.get(defaults);
       Value value = given ? field.get(settings_) : usual;
       if (is_empty_text(value)) continue;  // there is nothing that could be shown
-      if (given && field.kind == Kind::path) value = relative_to(folder_, value);
+      if (given && field.form.kind == Kind::path) value = relative_to(folder_, value);
       lines += line(field, value, is_empty_text(usual) ? "" : toml_text(usual), given);
     }
     return lines;

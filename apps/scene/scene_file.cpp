@@ -79,7 +79,7 @@ class Walk {
       if (!field)
         unknown(key, full);
       else
-        assign(full, field->kind, node);
+        assign(full, field->form.kind, node);
     }
   }
 
@@ -140,7 +140,7 @@ class Walk {
     const std::optional<Value> value = value_of(node);
     if (!value) return complain(node.source(), key, "a table or a date", "must be a single value");
     try {
-      ellipse.*column.member = Quantity{column.dimension, {}, {}}.read(*value);
+      ellipse.*column.member = QuantityCodec{column.dimension}.read(*value);
     } catch (const Mistake& mistake) {
       complain(node.source(), key, toml_text(*value), mistake.allowed, mistake.cure);
     }

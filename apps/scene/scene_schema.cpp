@@ -164,7 +164,7 @@ Json ellipses_schema() {
   Json properties = Json::object();
   Json required = Json::array();
   for (const EllipseColumn& column : ellipse_columns) {
-    const Form form = form_of(Quantity{column.dimension, {}, {}});
+    const Form form = QuantityCodec{column.dimension}.form();
     properties[column.name] = Json{{"description", text(form) + units_text(form)}};
     properties[column.name].update(schema_of(form));
     if (column.required) required.push_back(column.name);

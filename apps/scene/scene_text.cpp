@@ -26,7 +26,7 @@ bool is_empty_text(const Value& value) {
 template <class T>
 std::string line(const FieldOf<T>& field, const Value& value) {
   const std::string setting = fmt::format("{} = {}", leaf_of(field.key), toml_text(value));
-  const std::string choices = field.kind == Kind::choice ? " (" + field.type + ")" : "";
+  const std::string choices = field.form.kind == Kind::choice ? " (" + type(field.form) + ")" : "";
   return fmt::format("{:<32} # {}{}\n", setting, field.help, choices);
 }
 
@@ -36,7 +36,7 @@ std::string group_lines(const std::string& group, const Settings& settings, cons
     if (group_of(field.key) != group || !why_unused(field.key, settings).empty()) continue;
     Value value = field.get(settings);
     if (is_empty_text(value)) continue;
-    if (field.kind == Kind::path) value = relative_to(folder, value);
+    if (field.form.kind == Kind::path) value = relative_to(folder, value);
     lines += line(field, value);
   }
   return lines;

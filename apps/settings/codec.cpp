@@ -1,7 +1,5 @@
 #include "apps/settings/codec.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -73,6 +71,10 @@ double read_dimensional(const Value& value, Dimension dimension) {
   throw Mistake(must_be(dimension));
 }
 
+std::vector<std::string> word_of(const std::optional<Word>& word) {
+  return word ? std::vector{word->word} : std::vector<std::string>();
+}
+
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -89,23 +91,14 @@ Value from_command_line(Kind kind, const std::string& text) {
   return {text};
 }
 
-std::string Bounds::range(Dimension dimension) const {
-  const auto shown = [dimension](double limit) {
-    return limit == 0 ? std::string("0") : format_quantity(limit, dimension);
-  };
-  if (std::isinf(low) && std::isinf(high)) return {};
-  if (std::isinf(low)) return (high_open ? "< " : "<= ") + shown(high);
-  if (std::isinf(high)) return (low_open ? "> " : ">= ") + shown(low);
-  return fmt::format("in {}{}, {}{}", low_open ? '(' : '[', shown(low), shown(high), high_open ? ')' : ']');
+Form QuantityCodec::form() const {
+  return {.kind = Kind::quantity,
+          .name = upper(name(dimension)),
+          .words = word_of(word),
+          .measure = Measure{dimension, bounds}};
 }
 
-std::string Bounds::text(Dimension dimension) const {
-  return (std::isinf(low) || std::isinf(high) ? "must be " : "must lie ") + range(dimension);
-}
-
-std::string Quantity::type() const { return upper(name(dimension)) + (word ? "|" + word->word : ""); }
-
-double Quantity::read(const Value& value) const {
+double QuantityCodec::read(const Value& value) const {
   if (is_word(value, word)) return word->stands_for;
   double number = 0;
   try {
@@ -118,13 +111,19 @@ double Quantity::read(const Value& value) const {
   return number;
 }
 
-Value Quantity::write(double number) const {
+Value QuantityCodec::write(double number) const {
   if (word && number == word->stands_for) return {word->word};
   if (dimension == Dimension::ratio) return {number};
   return {format_quantity(number, dimension)};
 }
 
-std::optional<double> OptionalQuantity::read(const Value& value) const {
+Form OptionalQuantityCodec::form() const {
+  Form form = quantity.form();
+  form.words.push_back(word);
+  return form;
+}
+
+std::optional<double> OptionalQuantityCodec::read(const Value& value) const {
   if (is_word(value, Word{word})) return std::nullopt;
   try {
     return quantity.read(value);
@@ -133,13 +132,15 @@ std::optional<double> OptionalQuantity::read(const Value& value) const {
   }
 }
 
-Value OptionalQuantity::write(const std::optional<double>& number) const {
+Value OptionalQuantityCodec::write(const std::optional<double>& number) const {
   return number ? quantity.write(*number) : Value{word};
 }
 
-std::string WholeNumber::type() const { return std::string("N") + (word ? "|" + word->word : ""); }
+Form WholeNumberCodec::form() const {
+  return {.kind = Kind::integer, .name = "N", .words = word_of(word), .whole = bounds};
+}
 
-std::int64_t WholeNumber::read(const Value& value) const {
+std::int64_t WholeNumberCodec::read(const Value& value) const {
   if (is_word(value, word)) return static_cast<std::int64_t>(word->stands_for);
   const auto* number = std::get_if<std::int64_t>(&value.data);
   if (number == nullptr) throw Mistake(or_word("must be a whole number", word));
@@ -148,33 +149,27 @@ std::int64_t WholeNumber::read(const Value& value) const {
   return *number;
 }
 
-Value WholeNumber::write(std::int64_t number) const {
+Value WholeNumberCodec::write(std::int64_t number) const {
   if (word && number == static_cast<std::int64_t>(word->stands_for)) return {word->word};
   return {number};
 }
 
-bool Boolean::read(const Value& value) const {
+bool BooleanCodec::read(const Value& value) const {
   const auto* boolean = std::get_if<bool>(&value.data);
   if (boolean == nullptr) throw Mistake("must be true or false");
   return *boolean;
 }
 
-std::string Name::type() const {
-  std::string type;
-  for (const std::string& name : names) type += (type.empty() ? "" : "|") + name;
-  return type;
-}
-
-std::string Name::read(const Value& value) const {
+std::string WordCodec::read(const Value& value) const {
   const std::string* text = as_text(value);
-  const std::string allowed = "must be " + listed(names);
+  const std::string allowed = "must be " + listed(words);
   if (text == nullptr) throw Mistake(allowed);
-  if (std::find(names.begin(), names.end(), *text) == names.end())
-    throw Mistake(allowed, did_you_mean(*text, names));
+  if (std::find(words.begin(), words.end(), *text) == words.end())
+    throw Mistake(allowed, did_you_mean(*text, words));
   return *text;
 }
 
-std::string Text::read(const Value& value) const {
+std::string TextCodec::read(const Value& value) const {
   const std::string* text = as_text(value);
   if (text == nullptr) throw Mistake("must be a text in quotes");
   if (!is_utf8(*text)) throw Mistake("must be text in UTF-8");

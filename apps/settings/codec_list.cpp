@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "apps/settings/codec.hpp"
 #include "apps/text/quantity.hpp"
@@ -11,12 +12,32 @@
 namespace app {
 namespace {
 
-const std::string* as_words(const Value& value) { return std::get_if<std::string>(&value.data); }
+Form list_form(const char* name, Items items) {
+  return {.kind = Kind::list, .name = name, .items = std::move(items)};
+}
 
 const Value::List& as_list(const Value& value, const std::string& allowed) {
   const auto* list = std::get_if<Value::List>(&value.data);
   if (list == nullptr) throw Mistake(allowed);
   return *list;
+}
+
+/// @throws Mistake for a value that is no list, and for an item that is no text.
+std::vector<std::string> as_texts(const Value& value, const std::string& allowed) {
+  std::vector<std::string> texts;
+  for (const Value& item : as_list(value, allowed)) {
+    const auto* text = std::get_if<std::string>(&item.data);
+    if (text == nullptr) throw Mistake(allowed);
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+template <class Items, class Write>
+Value list_of(const Items& items, const Write& write) {
+  Value::List list;
+  for (const auto& item : items) list.push_back({write(item)});
+  return {list};
 }
 
 /// The two sides of a separator.   @throws Mistake where it does not occur.
@@ -29,6 +50,7 @@ std::pair<std::string, std::string> cut_at(const std::string& text, const std::s
           std::string(trimmed(whole.substr(at + separator.size())))};
 }
 
+constexpr int most_pixels = 1'000'000;  // of a side of a rectangle
 constexpr const char* size_class_form = "write each class as \"5 mm .. 10 mm: 40 %\"";
 constexpr const char* label_name_form = "write each label as \"1: mortar\"";
 
@@ -46,37 +68,37 @@ specimen::SizeClass read_size_class(const std::string& text) {
 
 }  // namespace
 
-std::vector<double> Numbers::read(const Value& value) const {
+Form NumbersCodec::form() { return list_form("NUMBER,...", {}); }
+
+std::vector<double> NumbersCodec::read(const Value& value) const {
   std::vector<double> numbers;
   for (const Value& item : as_list(value, "must be a list of numbers, e.g. [80, 160]"))
-    numbers.push_back(Quantity{}.read(item));
+    numbers.push_back(QuantityCodec{}.read(item));
   return numbers;
 }
 
-Value Numbers::write(const std::vector<double>& numbers) const {
-  Value::List items;
-  for (const double number : numbers) items.push_back({number});
-  return {items};
+Value NumbersCodec::write(const std::vector<double>& numbers) const {
+  return list_of(numbers, std::identity());
 }
 
-std::vector<std::string> Texts::read(const Value& value) const {
+Form TextsCodec::form() { return list_form("NAME,...", {.pattern = "."}); }
+
+std::vector<std::string> TextsCodec::read(const Value& value) const {
   const std::string allowed = "must be a list of names, e.g. [\"void\", \"mortar\", \"aggregate\"]";
-  std::vector<std::string> texts;
-  for (const Value& item : as_list(value, allowed)) {
-    const std::string* text = as_words(item);
-    if (text == nullptr || text->empty()) throw Mistake(allowed);
-    texts.push_back(*text);
-  }
+  std::vector<std::string> texts = as_texts(value, allowed);
+  if (std::find(texts.begin(), texts.end(), "") != texts.end()) throw Mistake(allowed);
   return texts;
 }
 
-Value Texts::write(const std::vector<std::string>& texts) const {
-  Value::List items;
-  for (const std::string& text : texts) items.push_back({text});
-  return {items};
+Value TextsCodec::write(const std::vector<std::string>& texts) const {
+  return list_of(texts, std::identity());
 }
 
-specimen::Crop Rectangle::read(const Value& value) const {
+Form RectangleCodec::form() {
+  return list_form("X,Y,WIDTH,HEIGHT", {.whole = between(0, most_pixels), .number = 4});
+}
+
+specimen::Crop RectangleCodec::read(const Value& value) const {
   const std::string allowed = "must be x, y, width and height in pixels, e.g. [10, 20, 400, 300]";
   const Value::List& items = as_list(value, allowed);
   if (items.empty()) return {};
@@ -84,48 +106,48 @@ specimen::Crop Rectangle::read(const Value& value) const {
   std::vector<int> numbers;
   for (const Value& item : items) {
     const auto* number = std::get_if<std::int64_t>(&item.data);
-    if (number == nullptr || *number < 0 || *number > most) throw Mistake(allowed);
+    if (number == nullptr || *number < 0 || *number > most_pixels) throw Mistake(allowed);
     numbers.push_back(static_cast<int>(*number));
   }
   if (numbers[2] == 0 || numbers[3] == 0) throw Mistake("width and height must be > 0");
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-Value Rectangle::write(const specimen::Crop& crop) const {
-  Value::List items;
-  if (crop.width > 0)
-    for (const std::int64_t number : {crop.x, crop.y, crop.width, crop.height}) items.push_back({number});
-  return {items};
+Value RectangleCodec::write(const specimen::Crop& crop) const {
+  std::vector<std::int64_t> numbers;
+  if (crop.width > 0) numbers = {crop.x, crop.y, crop.width, crop.height};
+  return list_of(numbers, std::identity());
 }
 
-LabelNames::Names LabelNames::read(const Value& value) const {
-  const std::string allowed = "must be a list of labels and names, e.g. [\"0: void\", \"1: mortar\"]";
+Form LabelNamesCodec::form() {
+  return list_form("LABEL:NAME,...", {.pattern = R"(^\s*[-+]?[0-9]+\s*:\s*\S)"});
+}
+
+LabelNamesCodec::Names LabelNamesCodec::read(const Value& value) const {
   Names names;
-  for (const Value& item : as_list(value, allowed)) {
-    const std::string* text = as_words(item);
-    if (text == nullptr) throw Mistake(allowed);
-    const auto [label, phase] = cut_at(*text, ":", label_name_form);
+  for (const std::string& text :
+       as_texts(value, "must be a list of labels and names, e.g. [\"0: void\", \"1: mortar\"]")) {
+    const auto [label, phase] = cut_at(text, ":", label_name_form);
     const auto number = whole_number(label);
-    if (!number || phase.empty()) throw Mistake(quoted(*text) + " does not fit", label_name_form);
+    if (!number || phase.empty()) throw Mistake(quoted(text) + " does not fit", label_name_form);
     names.emplace_back(*number, phase);
   }
   return names;
 }
 
-Value LabelNames::write(const Names& names) const {
-  Value::List items;
-  for (const auto& [label, phase] : names) items.push_back({fmt::format("{}: {}", label, phase)});
-  return {items};
+Value LabelNamesCodec::write(const Names& names) const {
+  return list_of(names, [](const auto& name) { return fmt::format("{}: {}", name.first, name.second); });
 }
 
-specimen::Grading SizeClasses::read(const Value& value) const {
-  const std::string allowed = "must be a list of size classes, e.g. [\"10 mm .. 20 mm: 60 %\", ...]";
+Form SizeClassesCodec::form() {
+  return list_form("LENGTH..LENGTH:SHARE,...", {.pattern = R"(^.*[0-9].*\.\..*[0-9].*:.*[0-9].*$)"});
+}
+
+specimen::Grading SizeClassesCodec::read(const Value& value) const {
   specimen::Grading classes;
-  for (const Value& item : as_list(value, allowed)) {
-    const std::string* text = as_words(item);
-    if (text == nullptr) throw Mistake(allowed);
-    classes.push_back(read_size_class(*text));
-  }
+  for (const std::string& text :
+       as_texts(value, "must be a list of size classes, e.g. [\"10 mm .. 20 mm: 60 %\", ...]"))
+    classes.push_back(read_size_class(text));
   std::sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) { return a.d_max > b.d_max; });
   double sum = 0;
   for (const auto& size_class : classes) sum += size_class.share;
@@ -134,13 +156,11 @@ specimen::Grading SizeClasses::read(const Value& value) const {
   return classes;
 }
 
-Value SizeClasses::write(const specimen::Grading& classes) const {
-  Value::List items;
-  for (const auto& size_class : classes)
-    items.push_back(
-        {fmt::format("{} .. {}: {}", format_quantity(size_class.d_min, Dimension::length),
-                     format_quantity(size_class.d_max, Dimension::length), format_number(size_class.share))});
-  return {items};
+Value SizeClassesCodec::write(const specimen::Grading& classes) const {
+  return list_of(classes, [](const auto& one) {
+    return fmt::format("{} .. {}: {}", format_quantity(one.d_min, Dimension::length),
+                       format_quantity(one.d_max, Dimension::length), format_number(one.share));
+  });
 }
 
 }  // namespace app

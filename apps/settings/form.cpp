@@ -1,26 +1,15 @@
 #include "apps/settings/form.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/text/words.hpp"
+
 namespace app {
 namespace {
 
-Form of_kind(Kind kind) {
-  Form form;
-  form.kind = kind;
-  return form;
-}
-
-Form list_of(Items items) {
-  Form form = of_kind(Kind::list);
-  form.items = std::move(items);
-  return form;
-}
-
-std::vector<std::string> word_of(const std::optional<Word>& word) {
-  return word ? std::vector{word->word} : std::vector<std::string>();
-}
-
-std::string with_bounds(const std::string& what, const Bounds& bounds, Dimension dimension) {
-  const std::string range = bounds.range(dimension);
+std::string with_range(const std::string& what, const std::string& range) {
   return range.empty() ? what : what + " " + range;
 }
 
@@ -32,14 +21,34 @@ std::string list_text(const Items& items) {
 
 std::string text_without_words(const Form& form) {
   if (form.measure)
-    return with_bounds(name(form.measure->dimension), form.measure->bounds, form.measure->dimension);
-  if (form.whole) return with_bounds("whole number", *form.whole, Dimension::ratio);
+    return with_range(name(form.measure->dimension), form.measure->bounds.range(form.measure->dimension));
+  if (form.whole) return with_range("whole number", form.whole->range(Dimension::ratio));
   if (form.items) return list_text(*form.items);
   if (form.kind == Kind::boolean) return "true or false";
   return form.kind == Kind::path ? "name of a file" : "text";
 }
 
 }  // namespace
+
+std::string Bounds::range(Dimension dimension) const {
+  const auto shown = [dimension](double limit) {
+    return limit == 0 ? std::string("0") : format_quantity(limit, dimension);
+  };
+  if (std::isinf(low) && std::isinf(high)) return {};
+  if (std::isinf(low)) return (high_open ? "< " : "<= ") + shown(high);
+  if (std::isinf(high)) return (low_open ? "> " : ">= ") + shown(low);
+  return fmt::format("in {}{}, {}{}", low_open ? '(' : '[', shown(low), shown(high), high_open ? ')' : ']');
+}
+
+std::string Bounds::text(Dimension dimension) const {
+  return (std::isinf(low) || std::isinf(high) ? "must be " : "must lie ") + range(dimension);
+}
+
+std::string type(const Form& form) {
+  std::string shown = form.name;
+  for (const std::string& word : form.words) shown += (shown.empty() ? "" : "|") + word;
+  return shown;
+}
 
 std::string text(const Form& form) {
   if (form.kind == Kind::choice) return listed(form.words);
@@ -48,46 +57,21 @@ std::string text(const Form& form) {
   return what;
 }
 
-Form form_of(const Quantity& codec) {
-  Form form = of_kind(Kind::quantity);
-  form.measure = Measure{codec.dimension, codec.bounds};
-  form.words = word_of(codec.word);
-  return form;
+Form one_of(std::vector<std::string> words) { return {.kind = Kind::choice, .words = std::move(words)}; }
+
+Form text_form(std::string name, std::vector<std::string> words) {
+  return {.name = std::move(name), .words = std::move(words)};
 }
 
-Form form_of(const OptionalQuantity& codec) {
-  Form form = form_of(codec.quantity);
-  form.words.push_back(codec.word);
-  return form;
+Form file_form(std::vector<std::string> endings, std::string name) {
+  return {.kind = Kind::path, .name = std::move(name), .endings = std::move(endings)};
 }
 
-Form form_of(const WholeNumber& codec) {
-  Form form = of_kind(Kind::integer);
-  form.whole = codec.bounds;
-  form.words = word_of(codec.word);
-  return form;
+Form folder_form() { return {.kind = Kind::folder, .name = "DIR"}; }
+
+std::vector<std::string> picture_endings(std::vector<std::string> others) {
+  others.insert(others.end(), {"png", "tif", "tiff", "jpg", "jpeg", "bmp", "pgm", "ppm"});
+  return others;
 }
-
-Form form_of(const Boolean&) { return of_kind(Kind::boolean); }
-
-Form form_of(const Name& codec) {
-  Form form = of_kind(Kind::choice);
-  form.words = codec.names;
-  return form;
-}
-
-Form form_of(const Text&) { return of_kind(Kind::text); }
-
-Form form_of(const Path&) { return of_kind(Kind::path); }
-
-Form form_of(const Numbers&) { return list_of({}); }
-
-Form form_of(const Texts&) { return list_of({{}, ".", 0}); }
-
-Form form_of(const Rectangle&) { return list_of({between(0, Rectangle::most), {}, 4}); }
-
-Form form_of(const LabelNames&) { return list_of({{}, R"(^\s*[-+]?[0-9]+\s*:\s*\S)", 0}); }
-
-Form form_of(const SizeClasses&) { return list_of({{}, R"(^.*[0-9].*\.\..*[0-9].*:.*[0-9].*$)", 0}); }
 
 }  // namespace app

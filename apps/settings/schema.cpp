@@ -10,19 +10,14 @@ namespace {
 
 /// Field of one property of one phase.
 Field bind(const PhaseField& property, const std::string& phase) {
-  return {"phases." + phase + "." + property.key,
-          property.help,
-          property.kind,
-          property.type,
+  return {"phases." + phase + "." + property.key, property.help, property.form,
           [set = property.set, phase](Settings& settings, const Value& value) {
             set(phase_named(settings, phase), value);
           },
           [get = property.get, phase](const Settings& settings) {
             Settings copy = settings;  // a phase not yet there has its defaults
             return get(phase_named(copy, phase));
-          },
-          property.measure,
-          property.form};
+          }};
 }
 
 std::vector<std::string> keys_of_group(const std::string& group) {

@@ -2,15 +2,36 @@
 /// come from it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "apps/settings/form.hpp"
+#include "apps/settings/codec.hpp"
 #include "apps/settings/settings.hpp"
 
 namespace app {
+
+/// A setting held in an object of type T (Settings, or mpm::Phase for the properties of every phase): its
+/// key, what it may be, and how it is read into and written from the object.
+template <class T>
+struct FieldOf {
+  std::string key;   ///< "loading.velocity"; "young" for a property of phases
+  std::string help;  ///< one line, without the default
+  Form form;
+  std::function<void(T&, const Value&)> set;  ///< throws Mistake
+  std::function<Value(const T&)> get;
+};
+
+/// @param access  generic lambda that gives the member of a T, const or not.
+template <class T, class Codec, class Access>
+FieldOf<T> make_field(std::string key, std::string help, Codec codec, Access access) {
+  return {std::move(key), std::move(help), codec.form(),
+          [codec, access](T& object, const Value& value) { access(object) = codec.read(value); },
+          [codec, access](const T& object) { return codec.write(access(object)); }};
+}
 
 using Field = FieldOf<Settings>;
 using PhaseField = FieldOf<mpm::Phase>;

@@ -20,25 +20,28 @@ PhaseField property(const char* key, Codec codec, const char* help, Access acces
   return make_field<mpm::Phase>(key, help, std::move(codec), access);
 }
 
-Quantity ratio(Bounds bounds) { return {Dimension::ratio, bounds, {}}; }
-Quantity length(Bounds bounds) { return {Dimension::length, bounds, {}}; }
+QuantityCodec ratio(Bounds bounds) { return {Dimension::ratio, bounds}; }
+QuantityCodec length(Bounds bounds) { return {Dimension::length, bounds}; }
 
 /// Lengths of which 0 means that the program finds it out.
-Quantity length_or_auto() { return {Dimension::length, above(0), Word{"auto", 0}}; }
+QuantityCodec length_or_auto() { return {Dimension::length, above(0), Word{"auto", 0}}; }
 
 /// Numbers of pixels of which -1 means that the conversion chooses.
-Integer<> pixels_or_auto() { return {{between(0, 1000), Word{"auto", -1}}}; }
+IntegerCodec<> pixels_or_auto() { return {between(0, 1000), Word{"auto", -1}}; }
 
-Quantity strength() { return {Dimension::pressure, above(0), Word{"unbreakable", mpm::Phase::unbreakable}}; }
+QuantityCodec strength() {
+  return {Dimension::pressure, above(0), Word{"unbreakable", mpm::Phase::unbreakable}};
+}
 
 std::vector<Field> specimen_fields() {
   return {
-      field("specimen.file", Path{}, "specimen.h5 that generate or convert wrote", MEMBER(specimen.file)),
-      field("specimen.picture", Path{}, "picture to convert", MEMBER(specimen.picture)),
-      field("specimen.ellipses", Path{},
+      field("specimen.file", PathCodec{{"h5"}}, "specimen.h5 that generate or convert wrote",
+            MEMBER(specimen.file)),
+      field("specimen.picture", PathCodec{picture_endings()}, "picture to convert", MEMBER(specimen.picture)),
+      field("specimen.ellipses", PathCodec{{"csv"}},
             "CSV list of ellipses with columns like x_mm, y_mm, a_mm, b_mm, angle_deg",
             MEMBER(specimen.ellipses)),
-      field("specimen.sha256", Text{}, "expected SHA-256 of that file; another one is refused",
+      field("specimen.sha256", TextCodec{}, "expected SHA-256 of that file; another one is refused",
             MEMBER(specimen.sha256)),
   };
 }
@@ -51,13 +54,13 @@ std::vector<Field> generate_fields() {
             MEMBER(pixel_size)),
       field("generate.fraction", ratio(below(0, 1)), "area of the aggregates over that of the specimen",
             MEMBER(packing.fraction)),
-      field("generate.grading", Name{specimen::grading_names()}, "sieve curve of the aggregates",
+      field("generate.grading", WordCodec{specimen::grading_names()}, "sieve curve of the aggregates",
             MEMBER(grading.name)),
       field("generate.d_min", length(above(0)), "smallest aggregate", MEMBER(grading.d_min)),
       field("generate.d_max", length(above(0)), "largest aggregate", MEMBER(grading.d_max)),
-      field("generate.walraven", Boolean{}, "turn the volume curve into area shares of a plane cut",
+      field("generate.walraven", BooleanCodec{}, "turn the volume curve into area shares of a plane cut",
             MEMBER(grading.walraven)),
-      field("generate.classes", SizeClasses{},
+      field("generate.classes", SizeClassesCodec{},
             "size classes in place of a sieve curve, \"5 mm .. 10 mm: 40 %\"", MEMBER(grading.classes)),
       field("generate.aspect_min", ratio(up_to(0, 1)), "least short over long axis",
             MEMBER(packing.aspect_min)),
@@ -65,12 +68,12 @@ std::vector<Field> generate_fields() {
             MEMBER(packing.aspect_max)),
       field("generate.gap", length(at_least(0)), "least distance between aggregates and to the edges",
             MEMBER(packing.gap)),
-      field("generate.seed", Integer<std::uint64_t>{{at_least(0), {}}}, "of the random aggregates",
+      field("generate.seed", IntegerCodec<std::uint64_t>{at_least(0)}, "of the random aggregates",
             MEMBER(packing.seed)),
   };
 }
 
-Choice<specimen::Segmentation> segmentation() {
+ChoiceCodec<specimen::Segmentation> segmentation() {
   using specimen::Segmentation;
   return {{{"automatic", Segmentation::automatic},
            {"labels", Segmentation::labels},
@@ -81,19 +84,21 @@ Choice<specimen::Segmentation> segmentation() {
            {"kmeans", Segmentation::kmeans}}};
 }
 
-Name channel() { return {{"gray", "red", "green", "blue", "hue", "saturation", "value", "l", "a", "b"}}; }
+WordCodec channel() {
+  return {{"gray", "red", "green", "blue", "hue", "saturation", "value", "l", "a", "b"}};
+}
 
 std::vector<Field> segmentation_fields() {
   return {
       field("convert.method", segmentation(), "how phases are told apart", MEMBER(convert.method)),
       field("convert.channel", channel(), "that thresholds look at", MEMBER(convert.channel)),
-      field("convert.thresholds", Numbers{}, "rising grey levels, for method threshold",
+      field("convert.thresholds", NumbersCodec{}, "rising grey levels, for method threshold",
             MEMBER(convert.thresholds)),
-      field("convert.classes", Integer<>{{between(2, 16), Word{"auto", 0}}},
+      field("convert.classes", IntegerCodec<>{between(2, 16), Word{"auto", 0}},
             "number of classes, for multi_otsu and kmeans", MEMBER(convert.classes)),
-      field("convert.class_phases", Texts{}, "phases of the classes, darkest first; empty = guessed",
+      field("convert.class_phases", TextsCodec{}, "phases of the classes, darkest first; empty = guessed",
             MEMBER(convert.class_phases)),
-      field("convert.label_phases", LabelNames{},
+      field("convert.label_phases", LabelNamesCodec{},
             "phases of the values of a label picture, e.g. 0:void,1:mortar", MEMBER(convert.label_phases)),
   };
 }
@@ -104,10 +109,11 @@ std::vector<Field> scale_fields() {
             MEMBER(convert.source_pixel_size)),
       field("convert.width", length_or_auto(), "of the cropped picture, the other way to give the scale",
             MEMBER(convert.width)),
-      field("convert.crop", Rectangle{}, "pixels of the picture to keep; empty = all", MEMBER(convert.crop)),
-      field("convert.max_pixels", Integer<std::int64_t>{{between(1, 2'000'000'000), {}}},
+      field("convert.crop", RectangleCodec{}, "pixels of the picture to keep; empty = all",
+            MEMBER(convert.crop)),
+      field("convert.max_pixels", IntegerCodec<std::int64_t>{between(1, 2'000'000'000)},
             "of the picture; a larger one is refused before it is decoded", MEMBER(convert.max_pixels)),
-      field("convert.pixels", Integer<>{{between(1, 100000), Word{"auto", 0}}},
+      field("convert.pixels", IntegerCodec<>{between(1, 100000), Word{"auto", 0}},
             "columns of the specimen; auto = as the picture", MEMBER(convert.pixels)),
   };
 }
@@ -120,10 +126,10 @@ std::vector<Field> cleaning_fields() {
             MEMBER(convert.open)),
       field("convert.close", pixels_or_auto(), "radius in pixels of the closing of aggregates; 0 = none",
             MEMBER(convert.close)),
-      field("convert.drop_islands", Quantity{Dimension::area, at_least(0), Word{"auto", -1}},
+      field("convert.drop_islands", QuantityCodec{Dimension::area, at_least(0), Word{"auto", -1}},
             "islands of less area join their surroundings", MEMBER(convert.drop_islands)),
-      field("convert.fill_holes", Boolean{}, "of aggregates", MEMBER(convert.fill_holes)),
-      field("convert.split_touching", Boolean{}, "cut aggregates that touch at their necks",
+      field("convert.fill_holes", BooleanCodec{}, "of aggregates", MEMBER(convert.fill_holes)),
+      field("convert.split_touching", BooleanCodec{}, "cut aggregates that touch at their necks",
             MEMBER(convert.split_touching)),
       field("convert.split_depth", ratio(inside(0, 1)), "depth of a neck over the inner radius of the grain",
             MEMBER(convert.split_depth)),
@@ -132,58 +138,59 @@ std::vector<Field> cleaning_fields() {
 
 std::vector<Field> itz_fields() {
   using specimen::ItzMode;
-  const Choice<ItzMode> mode{{{"ring", ItzMode::ring}, {"points", ItzMode::points}, {"none", ItzMode::none}}};
+  const ChoiceCodec<ItzMode> mode{
+      {{"ring", ItzMode::ring}, {"points", ItzMode::points}, {"none", ItzMode::none}}};
   return {
       field("itz.mode", mode, "ITZ as pixels, as extra material points, or none", MEMBER(itz.mode)),
       field("itz.thickness", length_or_auto(), "of the ring; auto = one pixel", MEMBER(itz.thickness)),
-      field("itz.segments", Integer<>{{between(3, 10000), {}}}, "corners of a ring", MEMBER(itz.segments)),
+      field("itz.segments", IntegerCodec<>{between(3, 10000)}, "corners of a ring", MEMBER(itz.segments)),
   };
 }
 
 std::vector<Field> loading_fields() {
   using mpm::Direction;
   using mpm::Platen;
-  const Choice<Direction> direction{
+  const ChoiceCodec<Direction> direction{
       {{"tension", Direction::tension}, {"compression", Direction::compression}, {"none", Direction::none}}};
-  const Choice<Platen> platen{{{"smooth", Platen::smooth}, {"rough", Platen::rough}}};
+  const ChoiceCodec<Platen> platen{{{"smooth", Platen::smooth}, {"rough", Platen::rough}}};
   return {
       field("loading.direction", direction, "way of the top platen; none = no platens, the specimen flies",
             MEMBER(scene.loading.direction)),
-      field("loading.velocity", Quantity{Dimension::velocity, above(0), {}}, "of the top platen",
+      field("loading.velocity", QuantityCodec{Dimension::velocity, above(0)}, "of the top platen",
             MEMBER(scene.loading.velocity)),
-      field("loading.ramp_time", Quantity{Dimension::time, at_least(0), Word{"auto", -1}},
+      field("loading.ramp_time", QuantityCodec{Dimension::time, at_least(0), Word{"auto", -1}},
             "from rest to full velocity; auto = two transits of the slowest wave",
             MEMBER(scene.loading.ramp_time)),
       field("loading.platen", platen, "smooth lets the specimen slide sideways, rough holds it",
             MEMBER(scene.loading.platen)),
-      field("loading.separation", Boolean{}, "let the specimen part from the platens that press it",
+      field("loading.separation", BooleanCodec{}, "let the specimen part from the platens that press it",
             MEMBER(scene.loading.separation)),
       field("loading.stop_strain", ratio(inside(0, 1)), "strain at which the run ends",
             MEMBER(scene.loading.stop_strain)),
-      field("loading.stop_drop", OptionalQuantity{ratio(inside(0, 1)), "none"},
+      field("loading.stop_drop", OptionalQuantityCodec{ratio(inside(0, 1)), "none"},
             "ends the run below this share of the peak stress", MEMBER(scene.loading.stop_drop)),
   };
 }
 
 std::vector<Field> flight_fields() {
-  const Quantity velocity{Dimension::velocity, {}, {}};
+  const QuantityCodec velocity{Dimension::velocity};
   return {
       field("loading.initial_velocity_x", velocity, "of the flying specimen, to the right",
             MEMBER(scene.loading.initial_velocity_x)),
       field("loading.initial_velocity_y", velocity, "of the flying specimen, upwards",
             MEMBER(scene.loading.initial_velocity_y)),
-      field("loading.duration", Quantity{Dimension::time, above(0), Word{"none", 0}},
+      field("loading.duration", QuantityCodec{Dimension::time, above(0), Word{"none", 0}},
             "of a run without platens", MEMBER(scene.loading.duration)),
   };
 }
 
 std::vector<Field> damage_fields() {
   using mpm::CrackClosure;
-  const Choice<CrackClosure> closure{{{"off", CrackClosure::off},
-                                      {"clipped", CrackClosure::clipped},
-                                      {"unilateral", CrackClosure::unilateral}}};
+  const ChoiceCodec<CrackClosure> closure{{{"off", CrackClosure::off},
+                                           {"clipped", CrackClosure::clipped},
+                                           {"unilateral", CrackClosure::unilateral}}};
   return {
-      field("damage.seed", Integer<std::uint64_t>{{at_least(0), {}}}, "of the random strengths",
+      field("damage.seed", IntegerCodec<std::uint64_t>{at_least(0)}, "of the random strengths",
             MEMBER(scene.damage.seed)),
       field("damage.crack_closure", closure,
             "compression across a crack: off = none, clipped = tension cut off, unilateral = the same, "
@@ -191,7 +198,7 @@ std::vector<Field> damage_fields() {
             MEMBER(scene.damage.crack_closure)),
       field("damage.residual_stiffness", ratio(below(0, 1)),
             "share of the stiffness that a failed point keeps", MEMBER(scene.damage.residual_stiffness)),
-      field("damage.correlation_length", Quantity{Dimension::length, above(0), Word{"none", 0}},
+      field("damage.correlation_length", QuantityCodec{Dimension::length, above(0), Word{"none", 0}},
             "of the random strengths, the same field for any pixel size; none = every point on its own",
             MEMBER(scene.damage.correlation_length)),
   };
@@ -201,19 +208,19 @@ std::vector<Field> solver_fields() {
   using mpm::Kinematics;
   using mpm::Plane;
   using mpm::Precision;
-  const Choice<Kinematics> kinematics{{{"small_strain", Kinematics::small_strain},
-                                       {"moving", Kinematics::moving},
-                                       {"auto", Kinematics::automatic}}};
-  const Choice<Plane> plane{{{"strain", Plane::strain}, {"stress", Plane::stress}}};
-  const Choice<std::string> instruction_set{
+  const ChoiceCodec<Kinematics> kinematics{{{"small_strain", Kinematics::small_strain},
+                                            {"moving", Kinematics::moving},
+                                            {"auto", Kinematics::automatic}}};
+  const ChoiceCodec<Plane> plane{{{"strain", Plane::strain}, {"stress", Plane::stress}}};
+  const ChoiceCodec<std::string> instruction_set{
       {{"auto", ""}, {"avx512", "avx512"}, {"avx2", "avx2"}, {"baseline", "baseline"}}};
-  const Choice<Precision> precision{{{"double", Precision::double_}, {"single", Precision::single}}};
+  const ChoiceCodec<Precision> precision{{{"double", Precision::double_}, {"single", Precision::single}}};
   return {
       field("solver.kinematics", kinematics,
             "points that keep their place, or move with the specimen; auto = move once they need to",
             MEMBER(scene.kinematics)),
       field("solver.plane", plane, "plane strain or plane stress", MEMBER(scene.plane)),
-      field("solver.points_per_cell", Integer<>{{between(1, 4), {}}},
+      field("solver.points_per_cell", IntegerCodec<>{between(1, 4)},
             "pixels along an edge of a cell of the grid", MEMBER(scene.points_per_cell)),
       field("solver.cfl", ratio(up_to(0, 1)), "time step over the time a wave needs to cross a cell",
             MEMBER(scene.cfl)),
@@ -223,7 +230,7 @@ std::vector<Field> solver_fields() {
             MEMBER(scene.precision)),
       field("solver.instruction_set", instruction_set,
             "of the sweeps; auto = the fastest that the processor has", MEMBER(scene.instruction_set)),
-      field("solver.threads", Integer<>{{between(1, 1024), Word{"auto", 0}}},
+      field("solver.threads", IntegerCodec<>{between(1, 1024), Word{"auto", 0}},
             "does not change the result; auto = as many as have work and an idle core",
             MEMBER(scene.threads)),
   };
@@ -233,9 +240,10 @@ std::vector<Field> motion_fields() {
   using mpm::Scheme;
   using mpm::Shape;
   using mpm::Transfer;
-  const Choice<Shape> shape{{{"linear", Shape::linear}, {"gimp", Shape::gimp}, {"bspline", Shape::bspline}}};
-  const Choice<Scheme> scheme{{{"usf", Scheme::usf}, {"usl", Scheme::usl}, {"musl", Scheme::musl}}};
-  const Choice<Transfer> transfer{{{"flip", Transfer::flip}, {"apic", Transfer::apic}}};
+  const ChoiceCodec<Shape> shape{
+      {{"linear", Shape::linear}, {"gimp", Shape::gimp}, {"bspline", Shape::bspline}}};
+  const ChoiceCodec<Scheme> scheme{{{"usf", Scheme::usf}, {"usl", Scheme::usl}, {"musl", Scheme::musl}}};
+  const ChoiceCodec<Transfer> transfer{{{"flip", Transfer::flip}, {"apic", Transfer::apic}}};
   return {
       field("motion.shape", shape, "functions between points and nodes: tents, GIMP, or quadratic B-splines",
             MEMBER(scene.motion.shape)),
@@ -246,21 +254,21 @@ std::vector<Field> motion_fields() {
             MEMBER(scene.motion.transfer)),
       field("motion.flip_ratio", ratio(between(0, 1)), "1 = FLIP, keeps energy; 0 = PIC, damps",
             MEMBER(scene.motion.flip_ratio)),
-      field("motion.margin", Quantity{Dimension::length, at_least(0), Word{"auto", -1}},
+      field("motion.margin", QuantityCodec{Dimension::length, at_least(0), Word{"auto", -1}},
             "of the grid beyond closed and open edges; auto = a quarter of the width",
             MEMBER(scene.motion.margin)),
-      field("motion.deformation_gradient", Boolean{}, "keep that of every point at the end in result.h5",
+      field("motion.deformation_gradient", BooleanCodec{}, "keep that of every point at the end in result.h5",
             MEMBER(scene.motion.deformation_gradient)),
   };
 }
 
 std::vector<Field> edge_fields() {
   using mpm::Edge;
-  const Choice<Edge> edge{{{"closed", Edge::closed},
-                           {"open", Edge::open},
-                           {"symmetry", Edge::symmetry},
-                           {"smooth_wall", Edge::smooth_wall},
-                           {"rough_wall", Edge::rough_wall}}};
+  const ChoiceCodec<Edge> edge{{{"closed", Edge::closed},
+                                {"open", Edge::open},
+                                {"symmetry", Edge::symmetry},
+                                {"smooth_wall", Edge::smooth_wall},
+                                {"rough_wall", Edge::rough_wall}}};
   return {
       field("motion.left", edge, "edge: points must not leave, may leave, or meet a plane or a wall there",
             MEMBER(scene.motion.left)),
@@ -282,21 +290,21 @@ std::vector<Field> handover_fields() {
 
 std::vector<Field> output_fields() {
   return {
-      field("output.title", Text{}, "of the report", MEMBER(title)),
-      field("output.history_rows", Integer<>{{between(10, 1'000'000), {}}}, "rows of the stress-strain curve",
+      field("output.title", TextCodec{}, "of the report", MEMBER(title)),
+      field("output.history_rows", IntegerCodec<>{between(10, 1'000'000)}, "rows of the stress-strain curve",
             MEMBER(scene.history_rows)),
-      field("output.frames", Integer<>{{between(0, 100'000), {}}},
+      field("output.frames", IntegerCodec<>{between(0, 100'000)},
             "states of all points for ParaView and plot --what stress, even in strain; 0 = none",
             MEMBER(scene.frames)),
   };
 }
 
 std::vector<PhaseField> properties() {
-  const Quantity angle{Dimension::angle, below(0, std::numbers::pi / 2), {}};
+  const QuantityCodec angle{Dimension::angle, below(0, std::numbers::pi / 2)};
   return {
-      property("young", Quantity{Dimension::pressure, above(0), {}}, "Young's modulus", MEMBER(young)),
+      property("young", QuantityCodec{Dimension::pressure, above(0)}, "Young's modulus", MEMBER(young)),
       property("poisson", ratio(between(0, 0.5)), "Poisson's ratio", MEMBER(poisson)),
-      property("density", Quantity{Dimension::density, above(0), {}}, "mass density", MEMBER(density)),
+      property("density", QuantityCodec{Dimension::density, above(0)}, "mass density", MEMBER(density)),
       property("tensile_scale", strength(),
                "Weibull scale of the tensile strength: 63.2 % of the points have less",
                MEMBER(tensile_scale)),
@@ -304,7 +312,7 @@ std::vector<PhaseField> properties() {
       property("friction_angle", angle, "Mohr-Coulomb friction angle", MEMBER(friction_angle)),
       property("weibull_modulus", ratio(above(0)), "scatter of the strengths: small = much",
                MEMBER(weibull_modulus)),
-      property("fracture_energy", Quantity{Dimension::energy, above(0), Word{"brittle", 0}},
+      property("fracture_energy", QuantityCodec{Dimension::energy, above(0), Word{"brittle", 0}},
                "of a crack, spent as it opens; brittle = points crack at one blow", MEMBER(fracture_energy)),
   };
 }

@@ -11,7 +11,6 @@
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/toml.hpp"
 #include "apps/settings/codec.hpp"
-#include "apps/settings/form.hpp"
 #include "apps/study/study_values.hpp"
 #include "apps/system/files.hpp"
 #include "apps/text/words.hpp"
@@ -23,14 +22,13 @@ constexpr int most_values = 100'000;
 
 /// A number of seeds, from 1 on, or a list of them.
 struct Seeds {
-  [[nodiscard]] static Kind kind() { return Kind::list; }
-  [[nodiscard]] static std::string type() { return "N|LIST"; }
+  [[nodiscard]] static Form form() { return {.kind = Kind::list, .name = "N|LIST"}; }
   [[nodiscard]] static std::vector<std::uint64_t> read(const Value& value) {
     const auto* list = std::get_if<Value::List>(&value.data);
-    if (list == nullptr) return seeds_from(1, Integer<>{{between(1, most_values), {}}}.read(value));
+    if (list == nullptr) return seeds_from(1, IntegerCodec<>{between(1, most_values)}.read(value));
     std::vector<std::uint64_t> seeds;
     for (const Value& item : *list) {
-      seeds.push_back(Integer<std::uint64_t>{{at_least(0), {}}}.read(item));
+      seeds.push_back(IntegerCodec<std::uint64_t>{at_least(0)}.read(item));
       if (std::count(seeds.begin(), seeds.end(), seeds.back()) > 1)
         throw Mistake("seed " + std::to_string(seeds.back()) + " stands there twice", "remove one");
     }
@@ -44,17 +42,11 @@ struct Seeds {
   }
 };
 
-Form form_of(const Seeds&) {
-  Form form;
-  form.kind = Kind::list;
-  return form;
-}
-
 /// Tables whose key `seed` may vary.
-struct SeedTables : Texts {
+struct SeedTables : TextsCodec {
   [[nodiscard]] std::vector<std::string> read(const Value& value) const {
-    std::vector<std::string> names = Texts::read(value);
-    for (const std::string& name : names) (void)Name{{"damage", "generate"}}.read({name});
+    std::vector<std::string> names = TextsCodec::read(value);
+    for (const std::string& name : names) (void)WordCodec{{"damage", "generate"}}.read({name});
     if (names.empty()) throw Mistake("must name at least one of damage and generate");
     return names;
   }
@@ -68,22 +60,22 @@ FieldOf<StudyPlan> field(const char* key, Codec codec, const char* help, Access 
 }  // namespace
 
 const std::vector<FieldOf<StudyPlan>>& study_fields() {
-  const Choice<Sampling> sampling{
+  const ChoiceCodec<Sampling> sampling{
       {{"grid", Sampling::grid}, {"latin_hypercube", Sampling::latin_hypercube}, {"sobol", Sampling::sobol}}};
   static const std::vector<FieldOf<StudyPlan>> all{
       field(
-          "title", Text{}, "of the report", [](auto& plan) -> auto& { return plan.title; }),
+          "title", TextCodec{}, "of the report", [](auto& plan) -> auto& { return plan.title; }),
       field(
-          "scene", Path{}, "scene that every member begins with, relative to the study",
+          "scene", PathCodec{{"toml"}}, "scene that every member begins with, relative to the study",
           [](auto& plan) -> auto& { return plan.scene; }),
       field(
           "sampling", sampling, "how points fill the space of [vary]; grid by default",
           [](auto& plan) -> auto& { return plan.sampling; }),
       field(
-          "samples", Integer<>{{between(1, most_values), {}}}, "points, of all but a grid",
+          "samples", IntegerCodec<>{between(1, most_values)}, "points, of all but a grid",
           [](auto& plan) -> auto& { return plan.samples; }),
       field(
-          "sampling_seed", Integer<std::uint64_t>{{at_least(0), {}}}, "of a Latin hypercube",
+          "sampling_seed", IntegerCodec<std::uint64_t>{at_least(0)}, "of a Latin hypercube",
           [](auto& plan) -> auto& { return plan.sampling_seed; }),
       field(
           "seeds", Seeds{}, "seeds that every point is run with: how many, from 1 on, or which",
@@ -150,7 +142,7 @@ class Walk {
     places_[name] = place;
     if (!value) return complain(place, name, "a table or a date", "must be a single value");
     try {
-      field->set(plan_, field->kind == Kind::path ? within_folder(*value) : *value);
+      field->set(plan_, field->form.kind == Kind::path ? within_folder(*value) : *value);
     } catch (const Mistake& mistake) {
       complain(place, name, toml_text(*value), mistake.allowed, mistake.cure);
     }

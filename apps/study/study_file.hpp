@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/settings/form.hpp"
+#include "apps/settings/schema.hpp"
 #include "apps/study/study.hpp"
 
 namespace app {

@@ -22,18 +22,18 @@ double to_digits(double number) { return std::stod(fmt::format("{:.4e}", number)
 
 const Measure* measure_of(const StudyParameter& parameter) {
   const Field& first = parameter.fields.front();
-  return first.measure ? &*first.measure : nullptr;
+  return first.form.measure ? &*first.form.measure : nullptr;
 }
 
 bool takes_numbers(const StudyParameter& parameter) {
-  const Kind kind = parameter.fields.front().kind;
+  const Kind kind = parameter.fields.front().form.kind;
   return measure_of(parameter) != nullptr || kind == Kind::integer;
 }
 
 Value written(const StudyParameter& parameter, double number) {
   const Measure* measure = measure_of(parameter);
   if (measure == nullptr) return {static_cast<std::int64_t>(std::llround(number))};
-  return Quantity{measure->dimension, {}, {}}.write(number);
+  return QuantityCodec{measure->dimension}.write(number);
 }
 
 std::vector<std::string> keys_of(const std::string& name) {
@@ -58,7 +58,7 @@ Value value_at_place(const StudyParameter& parameter, double u) {
 std::string text_of(const StudyParameter& parameter, const Value& value) {
   const auto* text = std::get_if<std::string>(&value.data);
   if (text == nullptr) return toml_text(value);
-  const bool is_path = parameter.fields.front().kind == Kind::path && !text->empty();
+  const bool is_path = parameter.fields.front().form.kind == Kind::path && !text->empty();
   if (!is_path) return *text;
   const std::filesystem::path folder = parameter.folder.empty() ? "." : parameter.folder;
   return std::filesystem::path(*text).lexically_proximate(folder).generic_string();
@@ -68,8 +68,8 @@ double number_of(const StudyParameter& parameter, const Value& value) {
   if (!takes_numbers(parameter)) return std::numeric_limits<double>::quiet_NaN();
   const Measure* measure = measure_of(parameter);
   try {
-    return measure == nullptr ? static_cast<double>(WholeNumber().read(value))
-                              : Quantity{measure->dimension, {}, {}}.read(value);
+    return measure == nullptr ? static_cast<double>(WholeNumberCodec().read(value))
+                              : QuantityCodec{measure->dimension}.read(value);
   } catch (const Mistake&) {  // a word, such as "auto"
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -138,7 +138,7 @@ void read_list(const toml::array& array, StudyParameter& parameter) {
   for (const toml::node& node : array) {
     std::optional<Value> value = value_of(node);
     if (!value) throw Mistake("a table or a date in the list", forms);
-    if (parameter.fields.front().kind == Kind::path) value = relative_to(parameter.folder, *value);
+    if (parameter.fields.front().form.kind == Kind::path) value = relative_to(parameter.folder, *value);
     try_on(parameter, *value);
     if (std::find(parameter.levels.begin(), parameter.levels.end(), *value) != parameter.levels.end())
       throw Mistake(toml_text(*value) + " stands there twice", "remove one");
@@ -162,8 +162,8 @@ double number_at(const toml::table& table, const char* key, const StudyParameter
   if (!value) throw Mistake(std::string(key) + ": a table or a date", forms);
   const Measure* measure = measure_of(parameter);
   try {
-    if (measure == nullptr) return static_cast<double>(WholeNumber().read(*value));
-    return Quantity{measure->dimension, measure->bounds, {}}.read(*value);
+    if (measure == nullptr) return static_cast<double>(WholeNumberCodec().read(*value));
+    return QuantityCodec{measure->dimension, measure->bounds}.read(*value);
   } catch (const Mistake& mistake) {
     throw Mistake(std::string(key) + ": " + toml_text(*value) + ": " + mistake.allowed, mistake.cure);
   }
@@ -173,7 +173,7 @@ void read_steps(const toml::table& table, StudyParameter& parameter) {
   const double from = number_at(table, "from", parameter), to = number_at(table, "to", parameter);
   const std::optional<Value> steps = value_of(*table.get("steps"));
   if (!steps) throw Mistake("steps: a table or a date", forms);
-  const auto count = Integer<>{{between(2, 10'000), {}}}.read(*steps);
+  const auto count = IntegerCodec<>{between(2, 10'000)}.read(*steps);
   if (!(from != to)) throw Mistake("from and to are the same", "write a list of one value");
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);

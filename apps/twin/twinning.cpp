@@ -65,7 +65,9 @@ std::vector<specimen::Descriptors> descriptors_of(const std::vector<TwinRecord>&
 
 namespace {
 
-Quantity length(Bounds bounds, std::optional<Word> word = {}) { return {Dimension::length, bounds, word}; }
+QuantityCodec length(Bounds bounds, std::optional<Word> word = {}) {
+  return {Dimension::length, bounds, word};
+}
 
 /// 0 where none was given.
 double optional_length(const char* option, const std::string& text) {
@@ -85,7 +87,8 @@ void require_inclusions(const specimen::Specimen& original, const std::string& i
 
 specimen::TwinOptions twin_options(const TwinWish& wish) {
   using specimen::Border;
-  const Choice<Border> border{{{"auto", Border::automatic}, {"cut", Border::cut}, {"whole", Border::whole}}};
+  const ChoiceCodec<Border> border{
+      {{"auto", Border::automatic}, {"cut", Border::cut}, {"whole", Border::whole}}};
   specimen::TwinOptions options;
   options.width = optional_length("--twin-width", wish.width);
   options.height = optional_length("--twin-height", wish.height);
@@ -100,8 +103,8 @@ TwinTask make_twin_task(const TwinWish& wish, const std::string& input, const Se
   require_inclusions(original, input);
   TwinTask task;
   task.name = std::filesystem::path(input).stem().string();
-  task.count = read_option("--count", wish.count, Integer<>{{between(1, 1000), {}}});
-  task.seed = read_option("--seed", wish.seed, Integer<std::uint64_t>{{at_least(0), {}}});
+  task.count = read_option("--count", wish.count, IntegerCodec<>{between(1, 1000)});
+  task.seed = read_option("--seed", wish.seed, IntegerCodec<std::uint64_t>{at_least(0)});
   task.itz = itz;
   task.settings = settings;
   task.descriptors = specimen::describe(original);

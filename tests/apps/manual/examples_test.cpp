@@ -18,7 +18,7 @@ using manual::Command;
 /// Of a setting with this key, by the field itself.
 void read(const app::Field& field, const std::string& text) {
   app::Settings settings;
-  field.set(settings, app::from_command_line(field.kind, text));
+  field.set(settings, app::from_command_line(field.form.kind, text));
 }
 
 std::optional<app::Field> setting_of(const CLI::Option& option) {
@@ -31,7 +31,7 @@ std::optional<app::Field> setting_of(const CLI::Option& option) {
 std::optional<app::Dimension> dimension_of(const std::string& type) {
   using app::Dimension;
   for (int i = 0; i <= static_cast<int>(Dimension::energy); ++i)
-    if (app::Quantity{static_cast<Dimension>(i), {}, {}}.type() == type) return static_cast<Dimension>(i);
+    if (app::QuantityCodec{static_cast<Dimension>(i)}.form().name == type) return static_cast<Dimension>(i);
   if (type == "NUMBER") return Dimension::ratio;
   return std::nullopt;
 }
@@ -43,7 +43,7 @@ void read(const CLI::Option& option, const std::string& text) {
   if (const auto dimension = dimension_of(type))
     (void)app::parse_quantity(text, *dimension);
   else if (type == "N")
-    (void)app::WholeNumber().read(app::from_command_line(app::Kind::integer, text));
+    (void)app::WholeNumberCodec().read(app::from_command_line(app::Kind::integer, text));
   else if (type == "I:J" && !std::regex_match(text, std::regex("[0-9]+:[0-9]+")))
     throw app::Mistake("must be I:J");
   else if (type.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos && !words.empty() &&

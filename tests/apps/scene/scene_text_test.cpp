@@ -19,7 +19,7 @@ app::Settings there_and_back(const app::Settings& settings, const std::string& f
 
 void expect_same(const app::Settings& first, const app::Settings& second) {
   for (const app::Field& field : app::fields())
-    if (field.kind != app::Kind::path) {
+    if (field.form.kind != app::Kind::path) {
       EXPECT_EQ(field.get(first), field.get(second)) << field.key;
     }
   ASSERT_EQ(first.phases.size(), second.phases.size());

@@ -34,7 +34,7 @@ TEST(Bounds, OpenEndsExcludeTheLimit) {
 }
 
 TEST(Quantity, TakesOnlyTextsWhereAUnitIsNeeded) {
-  const app::Quantity velocity{app::Dimension::velocity, app::above(0), {}};
+  const app::QuantityCodec velocity{app::Dimension::velocity, app::above(0), {}};
   EXPECT_EQ(velocity.read(text("0.05 m/s")), 0.05);
   EXPECT_EQ(complaint_about(velocity, {0.05}), "needs a unit; write e.g. \"0.05 m/s\"");
   EXPECT_EQ(complaint_about(velocity, {std::int64_t{1}}), "needs a unit; write e.g. \"0.05 m/s\"");
@@ -44,7 +44,7 @@ TEST(Quantity, TakesOnlyTextsWhereAUnitIsNeeded) {
 }
 
 TEST(Quantity, RatiosAreNumbersOrPercentages) {
-  const app::Quantity share{app::Dimension::ratio, app::up_to(0, 1), {}};
+  const app::QuantityCodec share{app::Dimension::ratio, app::up_to(0, 1), {}};
   EXPECT_EQ(share.read({std::int64_t{1}}), 1);
   EXPECT_EQ(share.read({0.45}), 0.45);
   EXPECT_EQ(share.read(text("45 %")), 0.45);
@@ -54,7 +54,7 @@ TEST(Quantity, RatiosAreNumbersOrPercentages) {
 }
 
 TEST(Quantity, AWordStandsForItsNumber) {
-  const app::Quantity thickness{app::Dimension::length, app::above(0), app::Word{"auto", 0}};
+  const app::QuantityCodec thickness{app::Dimension::length, app::above(0), app::Word{"auto", 0}};
   EXPECT_EQ(thickness.read(text("auto")), 0);
   EXPECT_EQ(thickness.write(0), text("auto"));
   EXPECT_EQ(thickness.write(1e-3), text("1 mm"));
@@ -63,7 +63,7 @@ TEST(Quantity, AWordStandsForItsNumber) {
 }
 
 TEST(OptionalQuantity, TheWordMeansAbsent) {
-  const app::OptionalQuantity drop{{app::Dimension::ratio, app::inside(0, 1), {}}, "none"};
+  const app::OptionalQuantityCodec drop{{app::Dimension::ratio, app::inside(0, 1), {}}, "none"};
   EXPECT_EQ(drop.read(text("none")), std::nullopt);
   EXPECT_EQ(drop.read({0.2}), 0.2);
   EXPECT_EQ(drop.write(std::nullopt), text("none"));
@@ -71,24 +71,24 @@ TEST(OptionalQuantity, TheWordMeansAbsent) {
 }
 
 TEST(Integer, TakesWholeNumbersInBounds) {
-  const app::Integer<> threads{{app::between(1, 8), {}}};
+  const app::IntegerCodec<> threads{app::between(1, 8)};
   EXPECT_EQ(threads.read({std::int64_t{8}}), 8);
   EXPECT_EQ(complaint_about(threads, {std::int64_t{0}}), "must lie in [1, 8]");
   EXPECT_EQ(complaint_about(threads, {2.0}), "must be a whole number");
   EXPECT_EQ(complaint_about(threads, text("2")), "must be a whole number");
-  const app::Integer<> pixels{{app::between(0, 9), app::Word{"auto", -1}}};
+  const app::IntegerCodec<> pixels{app::between(0, 9), app::Word{"auto", -1}};
   EXPECT_EQ(pixels.read(text("auto")), -1);
   EXPECT_EQ(complaint_about(pixels, {std::int64_t{-1}}), "must lie in [0, 9], or \"auto\"");
 }
 
 TEST(Boolean, TakesTrueAndFalseOnly) {
-  EXPECT_TRUE(app::Boolean().read({true}));
-  EXPECT_EQ(complaint_about(app::Boolean(), {std::int64_t{1}}), "must be true or false");
-  EXPECT_EQ(complaint_about(app::Boolean(), text("true")), "must be true or false");
+  EXPECT_TRUE(app::BooleanCodec().read({true}));
+  EXPECT_EQ(complaint_about(app::BooleanCodec(), {std::int64_t{1}}), "must be true or false");
+  EXPECT_EQ(complaint_about(app::BooleanCodec(), text("true")), "must be true or false");
 }
 
 TEST(Name, SuggestsTheWordThatWasMeant) {
-  const app::Name plane{{"strain", "stress"}};
+  const app::WordCodec plane{{"strain", "stress"}};
   EXPECT_EQ(plane.read(text("stress")), "stress");
   EXPECT_EQ(complaint_about(plane, text("stres")), "must be strain or stress; did you mean stress?");
   EXPECT_EQ(complaint_about(plane, text("shell")), "must be strain or stress");
@@ -96,11 +96,11 @@ TEST(Name, SuggestsTheWordThatWasMeant) {
 }
 
 TEST(Text, TakesTextInUtf8Only) {
-  EXPECT_EQ(app::Text().read(text("Größe")), "Größe");
-  EXPECT_EQ(complaint_about(app::Text(), text("Gr\xf6\xdf"
-                                              "e")),
+  EXPECT_EQ(app::TextCodec().read(text("Größe")), "Größe");
+  EXPECT_EQ(complaint_about(app::TextCodec(), text("Gr\xf6\xdf"
+                                                   "e")),
             "must be text in UTF-8");
-  EXPECT_EQ(complaint_about(app::Text(), {1.5}), "must be a text in quotes");
+  EXPECT_EQ(complaint_about(app::TextCodec(), {1.5}), "must be a text in quotes");
 }
 
 TEST(FromCommandLine, GuessesNothingButTheKind) {
