@@ -135,13 +135,10 @@ class ParameterReader {
   [[nodiscard]] std::string suggestion_for(const std::string& given) const {
     std::vector<std::string> properties;
     for (const PhaseField& property : phase_fields()) properties.push_back(property.key);
-    if (given.find('.') != std::string::npos) {
-      const bool is_table = std::any_of(groups().begin(), groups().end(),
-                                        [&](const Group& group) { return group.name == group_of(given); });
-      return suggest_key(is_table ? given : "phases." + given, settings_);
-    }
-    const std::string near = did_you_mean(given, properties);
-    return near.empty() ? "the properties of phases are " + listed(properties, "and") : near;
+    if (given.find('.') != std::string::npos)
+      return text(suggest_key(is_group(group_of(given)) ? given : "phases." + given, settings_));
+    return text(
+        Suggestion{closest(given, properties), "the properties of phases are " + listed(properties, "and")});
   }
 
   [[nodiscard]] std::string shown(const Field& field) const {

@@ -148,8 +148,7 @@ Assignment SettingOptions::from_set(const std::string& text) const {
   const std::string key = text.substr(0, equals);
   const std::string value = text.substr(equals + 1);
   const auto field = find_field(key);
-  if (!field)
-    throw Rejected(Exit::usage, complaint("--set " + key, "unknown key", suggest_key(key, Settings())));
+  if (!field) throw Rejected(Exit::usage, unknown_key({}, "--set " + key, suggest_key(key, Settings())));
   if (!offer_.has(key))
     throw Rejected(Exit::usage, complaint("--set " + key, "has no effect here", "remove it"));
   return given_as_option(key, field->form.kind, "--set " + key, value);

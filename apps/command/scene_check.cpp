@@ -7,7 +7,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include "apps/job/job.hpp"
 #include "apps/report/run_words.hpp"
@@ -26,16 +26,6 @@
 
 namespace app {
 namespace {
-
-constexpr const char* not_toml = "not TOML";        // as parse_toml says it
-constexpr const char* unknown_key = "unknown key";  // as the readers of scenes and studies say it
-
-bool begins_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
-
-bool is_of_specimen(const std::string& field) {
-  static const std::set<std::string> groups{"specimen", "generate", "convert", "itz", "ellipses"};
-  return groups.count(group_of(field.substr(0, field.find('[')))) > 0 || field == "solver.points_per_cell";
-}
 
 /// Looks at one scene from all sides.
 class SceneCheck {
@@ -108,9 +98,8 @@ class SceneCheck {
   }
 
   [[nodiscard]] bool has_complaint(const std::string& field) const {
-    return std::any_of(complaints_.begin(), complaints_.end(), [&](const Complaint& one) {
-      return one.field == field || begins_with(one.field, field + "_");  // initial_velocity stands for both
-    });
+    return std::any_of(complaints_.begin(), complaints_.end(),
+                       [&](const Complaint& one) { return one.field == field; });
   }
 
   [[nodiscard]] std::vector<mpm::Error> faults_of_solver() const {
@@ -141,7 +130,8 @@ class SceneCheck {
         faults.push_back(fault);
       }
     for (const specimen::Error& fault : specimen::faults(options))
-      if (is_graded || !begins_with(fault.field, "generate.d_")) faults.push_back(fault);
+      if (is_graded || (fault.field != "generate.d_min" && fault.field != "generate.d_max"))
+        faults.push_back(fault);
     return faults;
   }
 
@@ -151,7 +141,7 @@ class SceneCheck {
     for (const mpm::Phase& phase : settings_.phases) {
       const std::string table = "phases." + phase.name + ".";
       const auto given = resolved_.origins.lower_bound(table);
-      if (given == resolved_.origins.end() || !begins_with(given->first, table)) continue;
+      if (given == resolved_.origins.end() || !given->first.starts_with(table)) continue;
       for (const mpm::Error& fault : mpm::faults(phase, settings_.scene.plane)) faults.push_back(fault);
     }
     return faults;
@@ -159,8 +149,9 @@ class SceneCheck {
 
   [[nodiscard]] bool is_specimen_clear() const {
     return is_whole_ && !doubt_.is_about_specimen() &&
-           std::none_of(complaints_.begin(), complaints_.end(),
-                        [](const Complaint& one) { return is_of_specimen(one.field); });
+           std::none_of(complaints_.begin(), complaints_.end(), [](const Complaint& one) {
+             return is_of_specimen(one.field) || one.field == "solver.points_per_cell";
+           });
   }
 
   /// The specimen, and what only shows with it.   @return whether its phases were looked at.
@@ -259,26 +250,14 @@ nlohmann::ordered_json text_json(const std::string& text) {
   return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
 }
 
-/// The message without its place.
-std::string problem_of(Complaint one) {
-  one.place = {};
-  return text(one);
-}
-
-/// Of what has no value, the complaint tells what is wrong in its place.
 nlohmann::ordered_json complaint_json(Complaint one, const std::string& file) {
-  const std::string problem = problem_of(one);
-  if (one.field == not_toml) one.field = one.value = "";
-  if (one.value == unknown_key) {
-    one.value.clear();
-    if (one.cure.empty()) std::swap(one.allowed, one.cure);
-  }
-  return {{"file", one.place.file.empty() ? file : one.place.file},
-          {"line", place_json(one.place.line)},
-          {"column", place_json(one.place.column)},
+  const Place place = std::exchange(one.place, {});  // told apart from the message
+  return {{"file", place.file.empty() ? file : place.file},
+          {"line", place_json(place.line)},
+          {"column", place_json(place.column)},
           {"key", text_json(one.field)},
           {"value", text_json(one.value)},
-          {"problem", problem},
+          {"problem", text(one)},
           {"allowed", text_json(one.allowed)},
           {"cure", text_json(one.cure)}};
 }

@@ -31,7 +31,8 @@ app::Complaint in_python(app::Complaint complaint) {
 
 py::object as_tuple(const app::Complaint& complaint) {
   return exception_type("Complaint")(app::text(complaint), app::text(complaint.place), complaint.field,
-                                     complaint.value, complaint.allowed, complaint.cure);
+                                     complaint.value.empty() ? complaint.defect : complaint.value,
+                                     complaint.allowed, complaint.cure);
 }
 
 py::object exception_of(const app::Rejected& refusal) {

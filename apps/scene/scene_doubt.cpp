@@ -10,10 +10,7 @@
 namespace app {
 namespace {
 
-bool is_group(const std::string& name) {
-  return name == "ellipses" || std::any_of(groups().begin(), groups().end(),
-                                           [&](const Group& group) { return group.name == name; });
-}
+bool is_table(const std::string& name) { return name == "ellipses" || is_group(name); }
 
 /// Whether a word stands in a text, not as the end of a longer one.
 bool names(std::string_view text, const std::string& word) {
@@ -21,19 +18,6 @@ bool names(std::string_view text, const std::string& word) {
     if (at == 0 || (std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0 && text[at - 1] != '_'))
       return true;
   return false;
-}
-
-/// "loading.velocity" of "did you mean loading.velocity?"
-std::string meant(const Complaint& complaint) {
-  const std::string start = "did you mean ";
-  if (complaint.allowed.rfind(start, 0) != 0) return {};
-  return complaint.allowed.substr(start.size(), complaint.allowed.find('?') - start.size());
-}
-
-bool is_of_specimen(std::string_view key) {
-  const std::string group = group_of(key);
-  return group == "specimen" || group == "ellipses" || group == "generate" || group == "convert" ||
-         group == "itz";
 }
 
 bool is_of_motion(std::string_view key) {
@@ -73,15 +57,13 @@ void SceneDoubt::add_group(const std::string& group) {
 }
 
 void SceneDoubt::add_complaint(const Complaint& complaint) {
-  const std::string target = meant(complaint);
-  const bool is_in_table = complaint.field.find_first_of(".[") != std::string::npos;
   add(complaint.field);
-  add(target);
-  if (is_group(target)) add_group(target);
-  if (is_in_table) return;
-  if (is_group(complaint.field))
+  add(complaint.meant);
+  if (is_table(complaint.meant)) add_group(complaint.meant);
+  if (group_of(complaint.field) != complaint.field) return;  // in a table
+  if (is_table(complaint.field))
     add_group(complaint.field);  // which is no table
-  else if (target.empty())
+  else if (complaint.meant.empty())
     add_group("");
 }
 
@@ -89,7 +71,7 @@ void SceneDoubt::add_line(std::string_view line) {
   if (!line.empty() && line.front() == '[') {
     const std::string_view name = line.substr(std::min(line.size(), line.find_first_not_of("[ \t")));
     const std::string group(name.substr(0, name.find_first_of(".] \t#")));
-    return add_group(is_group(group) ? group : "");
+    return add_group(is_table(group) ? group : "");
   }
   for (const Field& field : fields())
     if (names(line, leaf_of(field.key))) add(field.key);

@@ -31,11 +31,6 @@ class Walk {
   }
 
  private:
-  static bool is_group(const std::string& name) {
-    return std::any_of(groups().begin(), groups().end(),
-                       [&](const Group& group) { return group.name == name; });
-  }
-
   Place place(const toml::source_region& source) const { return place_of(source, path_); }
 
   void complain(const toml::source_region& source, std::string field, std::string value, std::string allowed,
@@ -50,10 +45,11 @@ class Walk {
   void unknown(const toml::key& key, const std::string& name) {
     if (is_full()) return;  // a suggestion takes its time
     if (is_group(name)) return complain(key.source(), name, "must be a table", "write [" + name + "]");
-    complain(key.source(), name, "unknown key",
-             std::find(study_keys.begin(), study_keys.end(), name) != study_keys.end()
-                 ? "is of a study, which mesopix study runs"
-                 : suggest_key(name, Settings()));
+    const bool of_study = std::find(study_keys.begin(), study_keys.end(), name) != study_keys.end();
+    scene_.complaints.push_back(unknown_key(place(key.source()), name,
+                                            of_study
+                                                ? Suggestion{{}, "is of a study, which mesopix study runs"}
+                                                : suggest_key(name, Settings())));
   }
 
   void phases(const toml::table& table) {
@@ -129,9 +125,9 @@ class Walk {
   void ellipse_key(const toml::key& key, const std::string& name) {
     std::vector<std::string> names;
     for (const EllipseColumn& column : ellipse_columns) names.emplace_back(column.name);
-    if (std::find(names.begin(), names.end(), key.str()) == names.end())
-      complain(key.source(), name + "." + std::string(key.str()), "unknown key",
-               "an ellipse has " + listed(names, "and"));
+    if (std::find(names.begin(), names.end(), key.str()) == names.end() && !is_full())
+      scene_.complaints.push_back(unknown_key(place(key.source()), name + "." + std::string(key.str()),
+                                              {{}, "an ellipse has " + listed(names, "and")}));
   }
 
   void read_member(const toml::node& node, const std::string& name, const EllipseColumn& column,

@@ -65,10 +65,6 @@ std::string table(const std::string& name, const std::string& lines) {
   return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
 }
 
-bool of_specimen(const std::string& group) {
-  return group == "specimen" || group == "generate" || group == "convert" || group == "itz";
-}
-
 }  // namespace
 
 Value relative_to(const std::filesystem::path& folder, const Value& value) {
@@ -81,7 +77,7 @@ std::string scene_text(const Settings& settings, Extent extent, const fs::path& 
   std::string text =
       fmt::format("# A scene of mesopix {}.\n", version()) + ellipse_lines(settings.specimen.ellipse_list);
   for (const Group& group : groups()) {
-    if (extent == Extent::specimen && !of_specimen(group.name)) continue;
+    if (extent == Extent::specimen && !is_of_specimen(group.name)) continue;
     if (group.name == "phases")
       for (const mpm::Phase& phase : settings.phases)
         text += table("phases." + phase.name, phase_lines(phase));

@@ -13,6 +13,13 @@ namespace {
 
 constexpr int most_parts = 16, most_levels = 32;
 
+Complaint no_toml(const Place& place, std::string why) {
+  Complaint complaint;
+  complaint.place = place;
+  complaint.defect = std::move(why);
+  return complaint;
+}
+
 /// Goes through the text as a parser does, as far as it must to tell strings and comments from keys.
 class Nesting {
  public:
@@ -60,8 +67,9 @@ class Nesting {
     const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
     const Place place{path_, static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
                       static_cast<int>(at_ - line_start) + 1};
-    throw Rejected(Exit::data, {place, "nested too deep", "",
-                                "a key has at most 16 parts, and a list lies within at most 32 others", ""});
+    throw Rejected(Exit::data, no_toml(place,
+                                       "nested too deep: a key has at most 16 parts, and a list lies "
+                                       "within at most 32 others"));
   }
 
   std::string_view text_;
@@ -80,7 +88,7 @@ toml::table parse_toml(const std::string& text, const std::string& path) try {
   return toml::parse(text, path);
 } catch (const toml::parse_error& error) {
   throw Rejected(Exit::data,
-                 {place_of(error.source(), path), "not TOML", std::string(error.description()), "", ""});
+                 no_toml(place_of(error.source(), path), "not TOML: " + std::string(error.description())));
 }
 
 Place place_of(const toml::source_region& source, const std::string& path) {

@@ -63,7 +63,7 @@ Complaint about(const Assignment& given, std::string allowed, std::string cure =
 void apply_one(const Assignment& given, Settings& settings, std::vector<Complaint>& complaints) {
   const auto field = find_field(given.key);
   if (!field) {
-    complaints.push_back({given.place, given.field, "unknown key", suggest_key(given.key, settings), {}});
+    complaints.push_back(unknown_key(given.place, given.field, suggest_key(given.key, settings)));
     return;
   }
   try {

@@ -12,11 +12,6 @@ bool among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool is_group(const std::string& name) {
-  return std::any_of(groups().begin(), groups().end(),
-                     [&](const Group& group) { return group.name == name; });
-}
-
 struct Named {
   std::string name;
   std::string key;
@@ -33,14 +28,13 @@ std::vector<Named> short_names(const Offer& offer) {
 }
 
 std::string suggest_name(const Offer& offer, const std::string& name) {
-  if (name.find('.') != std::string::npos) return suggest_key(name, Settings());
+  if (name.find('.') != std::string::npos) return text(suggest_key(name, Settings()));
   std::vector<std::string> known;
   for (const Named& one : short_names(offer)) known.push_back(one.name);
-  const std::string near = did_you_mean(name, known);
+  Suggestion near{closest(name, known), {}};
   for (const Field& field : fields())
-    if (near.empty() && leaf_of(field.key) == name && offer.has(field.key))
-      return "did you mean " + field.key + "?";
-  return near;
+    if (near.meant.empty() && leaf_of(field.key) == name && offer.has(field.key)) near.meant = field.key;
+  return text(near);
 }
 
 }  // namespace

@@ -95,9 +95,19 @@ std::string why_motion_unused(std::string_view key, const mpm::Scene& scene) {
 
 }  // namespace
 
-std::string group_of(std::string_view key) { return std::string(key.substr(0, key.find('.'))); }
+std::string group_of(std::string_view key) { return std::string(key.substr(0, key.find_first_of(".["))); }
 
 std::string leaf_of(std::string_view key) { return std::string(key.substr(key.rfind('.') + 1)); }
+
+bool is_group(std::string_view name) {
+  return std::any_of(groups().begin(), groups().end(),
+                     [&](const Group& group) { return group.name == name; });
+}
+
+bool is_of_specimen(std::string_view key) {
+  constexpr std::array tables{"specimen", "ellipses", "generate", "convert", "itz"};
+  return std::find(tables.begin(), tables.end(), group_of(key)) != tables.end();
+}
 
 bool is_phase_name(std::string_view name) {
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
@@ -117,22 +127,19 @@ std::optional<Field> find_field(std::string_view key) {
   return std::nullopt;
 }
 
-std::string suggest_key(std::string_view key, const Settings& settings) {
+Suggestion suggest_key(std::string_view key, const Settings& settings) {
   const std::string group = group_of(key);
   const std::string leaf = leaf_of(key);
   const std::string prefix(key.substr(0, key.size() - leaf.size()));
-  if (const std::string near = closest(leaf, keys_of_group(group)); !near.empty())
-    return "did you mean " + prefix + near + "?";
+  if (const std::string near = closest(leaf, keys_of_group(group)); !near.empty()) return {prefix + near, {}};
   for (const std::string& known : every_key(settings))
-    if (leaf_of(known) == leaf) return "did you mean " + known + "?";
-  if (const std::string near = closest(key, every_key(settings)); !near.empty())
-    return "did you mean " + near + "?";
+    if (leaf_of(known) == leaf) return {known, {}};
+  if (const std::string near = closest(key, every_key(settings)); !near.empty()) return {near, {}};
   const std::vector<std::string> keys = keys_of_group(group);
-  if (!keys.empty()) return group + " has " + listed(keys, "and");
+  if (!keys.empty()) return {{}, group + " has " + listed(keys, "and")};
   std::vector<std::string> tables;
   for (const Group& one : groups()) tables.push_back(one.name);
-  const std::string meant = did_you_mean(group, tables);
-  return meant.empty() ? "the tables of a scene are " + listed(tables, "and") : meant;
+  return {closest(group, tables), "the tables of a scene are " + listed(tables, "and")};
 }
 
 bool decides_use(std::string_view key) {

@@ -11,6 +11,7 @@
 
 #include "apps/settings/codec.hpp"
 #include "apps/settings/settings.hpp"
+#include "apps/text/complaint.hpp"
 
 namespace app {
 
@@ -61,14 +62,20 @@ inline constexpr std::size_t most_phases = 255;
 /// Field of a key, "phases.NAME.PROPERTY" included.
 [[nodiscard]] std::optional<Field> find_field(std::string_view key);
 
-/// For an unknown key: "did you mean loading.velocity?", or the keys of its table.
-[[nodiscard]] std::string suggest_key(std::string_view key, const Settings& settings);
+/// Whether a table of scenes has this name; that of [[ellipses]] is a list.
+[[nodiscard]] bool is_group(std::string_view name);
 
-/// "loading" of "loading.velocity"; "phases" of "phases.mortar.young".
+/// For an unknown key: the one that it seems to be, or the keys of its table.
+[[nodiscard]] Suggestion suggest_key(std::string_view key, const Settings& settings);
+
+/// "loading" of "loading.velocity"; "phases" of "phases.mortar.young"; "ellipses" of "ellipses[3].x".
 [[nodiscard]] std::string group_of(std::string_view key);
 
 /// "velocity" of "loading.velocity".
 [[nodiscard]] std::string leaf_of(std::string_view key);
+
+/// Whether a key, or a whole table, says what the specimen is made from.
+[[nodiscard]] bool is_of_specimen(std::string_view key);
 
 /// Whether it depends on a setting which others have an effect.
 [[nodiscard]] bool decides_use(std::string_view key);

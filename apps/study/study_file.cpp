@@ -156,14 +156,11 @@ class Walk {
   void unknown(const Place& place, const std::string& name) {
     std::vector<std::string> names{vary};
     for (const auto& field : study_fields()) names.push_back(field.key);
-    const std::string meant = did_you_mean(name, names);
-    const bool of_scene =
-        find_field(name).has_value() ||
-        std::any_of(groups().begin(), groups().end(), [&](const Group& group) { return group.name == name; });
-    complain(place, printable(name), "unknown key",
-             !meant.empty() ? meant
-             : of_scene     ? "is of the scene; what varies of it stands in [vary]"
-                            : "a study has " + listed(names, "and"));
+    const bool of_scene = find_field(name).has_value() || is_group(name);
+    complaints_.push_back(
+        unknown_key(place, printable(name),
+                    {closest(name, names), of_scene ? "is of the scene; what varies of it stands in [vary]"
+                                                    : "a study has " + listed(names, "and")}));
   }
 
   void varied(const toml::node& node) {
@@ -200,7 +197,7 @@ class Walk {
         parameter.fields.push_back(*field);
       else
         return complain(place, std::string(vary) + "." + printable(name),
-                        printable(key) + " is no key of a scene", suggest_key(key, Settings()));
+                        printable(key) + " is no key of a scene", text(suggest_key(key, Settings())));
       if (!seen_.insert(key).second)
         return complain(place, std::string(vary) + "." + name, key + " varies already", "name it once");
     }

@@ -102,7 +102,7 @@ std::string text(const Complaint& complaint) {
   append(text(complaint.place));
   append(complaint.field);
   const std::size_t subject = line.size();
-  for (const std::string* part : {&complaint.value, &complaint.allowed, &complaint.cure}) {
+  for (const std::string* part : {&complaint.value, &complaint.defect, &complaint.allowed, &complaint.cure}) {
     if (line.size() > subject) separator = "; ";
     append(*part);
   }
@@ -116,6 +116,14 @@ Complaint complaint(std::string field, std::string value, std::string allowed, s
   result.allowed = std::move(allowed);
   result.cure = std::move(cure);
   return result;
+}
+
+std::string text(const Suggestion& suggestion) {
+  return suggestion.meant.empty() ? suggestion.otherwise : "did you mean " + suggestion.meant + "?";
+}
+
+Complaint unknown_key(Place place, std::string key, const Suggestion& suggestion) {
+  return {std::move(place), std::move(key), "", "", text(suggestion), "unknown key", suggestion.meant};
 }
 
 Rejected::Rejected(Exit exit_code, std::vector<Complaint> all)

@@ -29,14 +29,16 @@ struct Place {
 
 [[nodiscard]] std::string text(const Place& place);  ///< "scene.toml:3:8"
 
-/// One mistake of the user. Its text is one line: "FILE:LINE:COL: field: value; allowed; cure", the empty
-/// parts left out.
+/// One mistake of the user. Its text is one line: "FILE:LINE:COL: field: value; defect; allowed; cure", the
+/// empty parts left out.
 struct Complaint {
   Place place;
-  std::string field;    ///< as the user wrote it: a key of the scene, or an option
-  std::string value;    ///< as the user wrote it
-  std::string allowed;  ///< what would have been accepted
-  std::string cure;     ///< what to try
+  std::string field;        ///< as the user wrote it: a key of the scene, or an option
+  std::string value;        ///< as the user wrote it
+  std::string allowed;      ///< what would have been accepted
+  std::string cure;         ///< what to try
+  std::string defect = {};  ///< what is wrong where it is no value: "unknown key"
+  std::string meant = {};   ///< of an unknown key: the key or table that it seems to be, where one does
 };
 
 /// Each part cut at 2000 bytes.
@@ -48,6 +50,16 @@ inline constexpr std::size_t most_complaints = 100;
 /// A complaint about the command line, or about something that has no place in a file.
 [[nodiscard]] Complaint complaint(std::string field, std::string value, std::string allowed,
                                   std::string cure = {});
+
+/// What there is in place of a name that nothing has.
+struct Suggestion {
+  std::string meant;      ///< the name that it seems to be; empty = none is near
+  std::string otherwise;  ///< what to tell then
+};
+
+[[nodiscard]] std::string text(const Suggestion& suggestion);  ///< "did you mean loading.velocity?"
+
+[[nodiscard]] Complaint unknown_key(Place place, std::string key, const Suggestion& suggestion);
 
 /// Gives a complaint about a field the place where the user set it.
 using Locate = std::function<Complaint(Complaint)>;

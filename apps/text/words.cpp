@@ -1,5 +1,7 @@
 #include "apps/text/words.hpp"
 
+#include "apps/text/complaint.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <limits>
@@ -51,8 +53,7 @@ std::string closest(std::string_view written, const std::vector<std::string>& ca
 }
 
 std::string did_you_mean(std::string_view written, const std::vector<std::string>& candidates) {
-  const std::string best = closest(written, candidates);
-  return best.empty() ? best : "did you mean " + best + "?";
+  return text(Suggestion{closest(written, candidates), {}});
 }
 
 std::string listed(const std::vector<std::string>& names, const char* last) {

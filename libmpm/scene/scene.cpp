@@ -70,11 +70,10 @@ void check_platens(Faults& faults, const Loading& loading) {
                  "the direction is told by loading.direction");
   faults.require(positive(loading.stop_strain) && loading.stop_strain < 1, "loading.stop_strain",
                  text(loading.stop_strain, ""), "must lie in (0, 1)");
-  const bool flies = loading.initial_velocity_x != 0 || loading.initial_velocity_y != 0;
-  faults.require(
-      !flies, "loading.initial_velocity",
-      "(" + text(loading.initial_velocity_x, "m/s") + ", " + text(loading.initial_velocity_y, "m/s") + ")",
-      "between platens the specimen begins at rest", "choose loading.direction none");
+  for (const auto& [field, velocity] : {std::pair{"loading.initial_velocity_x", loading.initial_velocity_x},
+                                        std::pair{"loading.initial_velocity_y", loading.initial_velocity_y}})
+    faults.require(velocity == 0, field, text(velocity, "m/s"), "between platens the specimen begins at rest",
+                   "choose loading.direction none");
   faults.require(loading.duration == 0, "loading.duration", text(loading.duration, "s"),
                  "between platens a run ends at loading.stop_strain", "choose loading.direction none");
   faults.require(!loading.separation || loading.direction == Direction::compression, "loading.separation",

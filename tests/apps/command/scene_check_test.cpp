@@ -103,6 +103,8 @@ TEST_F(SceneCheck, LeavesOutWhatFollowsFromOtherMistakes) {
               ElementsAre(HasSubstr("not TOML")));
   EXPECT_THAT(complaints(small + std::string("[solvr]\nkinematics = 'moving'\n[motion]\nshape = 'linear'\n")),
               ElementsAre(HasSubstr("did you mean solver?")));
+  EXPECT_THAT(complaints(small + std::string("[loading]\ninitial_velocity_y = '1 m/s'\n")),
+              ElementsAre(HasSubstr("loading.initial_velocity_y: \"1 m/s\"; has an effect with")));
 }
 
 TEST_F(SceneCheck, TellsTheRestWhereItIsSoundAllTheSame) {
@@ -155,7 +157,9 @@ TEST_F(SceneCheck, GivesEditorsAList) {
   EXPECT_EQ(list[1]["value"], nullptr);
   EXPECT_EQ(list[1]["cure"], "did you mean loading.velocity?");
   EXPECT_EQ(list[2]["line"], 4);
+  EXPECT_EQ(list[1]["allowed"], nullptr);
   EXPECT_EQ(list[2]["key"], nullptr);
+  EXPECT_EQ(list[2]["value"], nullptr);
 }
 
 }  // namespace scene_check_test

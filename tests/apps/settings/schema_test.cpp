@@ -153,16 +153,17 @@ TEST(FindField, KnowsPhasesOfAnyUsableName) {
   EXPECT_FALSE(app::find_field(""));
 }
 
+std::string suggestion_for(std::string_view key) { return text(app::suggest_key(key, Settings())); }
+
 TEST(SuggestKey, FindsWhatWasMeant) {
-  const Settings settings;
-  EXPECT_EQ(app::suggest_key("loading.velocty", settings), "did you mean loading.velocity?");
-  EXPECT_EQ(app::suggest_key("velocity", settings), "did you mean loading.velocity?");
-  EXPECT_EQ(app::suggest_key("solver.velocity", settings), "did you mean loading.velocity?");
-  EXPECT_EQ(app::suggest_key("phases.mortar.yung", settings), "did you mean phases.mortar.young?");
-  EXPECT_EQ(app::suggest_key("loadng", settings), "did you mean loading?");
-  EXPECT_EQ(app::suggest_key("damage.quux", settings),
+  EXPECT_EQ(suggestion_for("loading.velocty"), "did you mean loading.velocity?");
+  EXPECT_EQ(suggestion_for("velocity"), "did you mean loading.velocity?");
+  EXPECT_EQ(suggestion_for("solver.velocity"), "did you mean loading.velocity?");
+  EXPECT_EQ(suggestion_for("phases.mortar.yung"), "did you mean phases.mortar.young?");
+  EXPECT_EQ(suggestion_for("loadng"), "did you mean loading?");
+  EXPECT_EQ(suggestion_for("damage.quux"),
             "damage has seed, crack_closure, residual_stiffness and correlation_length");
-  EXPECT_EQ(app::suggest_key("quux", settings),
+  EXPECT_EQ(suggestion_for("quux"),
             "the tables of a scene are specimen, generate, convert, itz, phases, loading, damage, solver, "
             "motion, handover and output");
 }

@@ -139,7 +139,7 @@ TEST(Validate, AsksWithoutPlatensForMovingPointsAndADuration) {
 
 TEST(Validate, RefusesWhatPlatensWouldIgnore) {
   EXPECT_EQ(message_after([](Scene& s) { s.loading.initial_velocity_y = -3; }),
-            "loading.initial_velocity: (0 m/s, -3 m/s); between platens the specimen begins at rest; choose "
+            "loading.initial_velocity_y: -3 m/s; between platens the specimen begins at rest; choose "
             "loading.direction none");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.duration = 1; }),
             "loading.duration: 1 s; between platens a run ends at loading.stop_strain; choose "
