@@ -1,5 +1,7 @@
 #include "apps/calibrate/calibration_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -27,17 +29,19 @@ std::string wanted_free(const CalibrationWish& wish, const Target& target) {
 Target read_target(const CalibrationWish& wish, TargetCurve measured) {
   const bool peak = !wish.peak_stress.empty() || !wish.peak_strain.empty();
   if (peak != (wish.curve.empty() && measured.empty()))
-    throw Rejected(Exit::usage,
-                   complaint("--target", peak ? "given beside a peak" : "no target is given",
-                             "a target is --peak-stress, --peak-strain or both, or --target CURVE.csv"));
+    throw Rejected(
+        Exit::usage,
+        complaint(option_name("target"), peak ? "given beside a peak" : "no target is given",
+                  fmt::format("a target is {}, {} or both, or {} CURVE.csv", option_name("peak-stress"),
+                              option_name("peak-strain"), option_name("target"))));
   Target target;
   target.curve = wish.curve.empty() ? std::move(measured) : read_target_curve(wish.curve);
   if (!wish.peak_stress.empty())
     target.peak_stress =
-        read_option("--peak-stress", wish.peak_stress, QuantityCodec{Dimension::pressure, above(0)});
+        read_option("peak-stress", wish.peak_stress, QuantityCodec{Dimension::pressure, above(0)});
   if (!wish.peak_strain.empty())
     target.peak_strain =
-        read_option("--peak-strain", wish.peak_strain, QuantityCodec{Dimension::ratio, inside(0, 1)});
+        read_option("peak-strain", wish.peak_strain, QuantityCodec{Dimension::ratio, inside(0, 1)});
   return target;
 }
 
@@ -51,9 +55,9 @@ void check_loading(const mpm::Scene& scene) {
 CalibrationTask make_task(const Job& job, Target target, const CalibrationWish& wish) {
   auto parameters = parse_free(wanted_free(wish, target), job.settings, job.scene);
   CalibrationTask task{job.settings, job.specimen, std::move(target), std::move(parameters)};
-  task.seeds = read_option("--seeds", wish.seeds, IntegerCodec<>{between(1, 1000)});
-  task.evaluations = read_option("--max-evaluations", wish.evaluations, IntegerCodec<>{between(1, 100000)});
-  task.tolerance = read_option("--tolerance", wish.tolerance, QuantityCodec{Dimension::ratio, inside(0, 1)});
+  task.seeds = read_option("seeds", wish.seeds, IntegerCodec<>{between(1, 1000)});
+  task.evaluations = read_option("max-evaluations", wish.evaluations, IntegerCodec<>{between(1, 100000)});
+  task.tolerance = read_option("tolerance", wish.tolerance, QuantityCodec{Dimension::ratio, inside(0, 1)});
   return task;
 }
 

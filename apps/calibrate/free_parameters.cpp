@@ -19,7 +19,7 @@ constexpr double default_range = 20;    ///< times and parts of the start
 constexpr double inside_share = 0.999;  ///< of the way from the start to a bound of the setting
 
 [[noreturn]] void refuse(const std::string& item, std::string allowed, std::string cure = {}) {
-  throw Rejected(Exit::usage, complaint("--free", item, std::move(allowed), std::move(cure)));
+  throw Rejected(Exit::usage, complaint(option_name("free"), item, std::move(allowed), std::move(cure)));
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -206,11 +206,8 @@ double ScaledSetting::value(double factor) const { return rounded(start * factor
 
 std::string ScaledSetting::text(double factor) const {
   const Dimension dimension = field.form.measure->dimension;
-  const std::string at_start = format_quantity(start, dimension);
-  const std::size_t blank = at_start.find(' ');
-  if (blank == std::string::npos) return format_number(value(factor));
-  const std::string unit = at_start.substr(blank);
-  return fmt::format("{:.5g}{}", value(factor) / parse_quantity("1" + unit, dimension), unit);
+  if (dimension == Dimension::ratio) return format_number(value(factor));
+  return format_like(value(factor), start, dimension);
 }
 
 std::vector<FreeParameter> parse_free(const std::string& text, const Settings& settings,

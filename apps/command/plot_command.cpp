@@ -73,8 +73,8 @@ Format format_of(const std::string& path) {
 double strain_at(const std::string& text, const mpm::Result& result) {
   constexpr std::string_view peak = "peak";
   const QuantityCodec number{Dimension::ratio};
-  if (!text.ends_with(peak)) return read_option("--at", text, number);
-  const double share = read_option("--at", text.substr(0, text.size() - peak.size()), number);
+  if (!text.ends_with(peak)) return read_option("at", text, number);
+  const double share = read_option("at", text.substr(0, text.size() - peak.size()), number);
   if (!(result.peak_strain > 0))
     throw Rejected(Exit::data, complaint("--at", text, "the run has no peak", "give a strain, like 120e-6"));
   return share * result.peak_strain;

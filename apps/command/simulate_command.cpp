@@ -123,17 +123,17 @@ std::optional<int> SimulateCommand::port() const {
     throw Rejected(Exit::usage,
                    complaint("--port", port_, "is for --serve, which is not given", "add --serve"));
   if (!serve_) return std::nullopt;
-  return port_.empty() ? 0 : read_option("--port", port_, IntegerCodec<int>{between(1, 65535)});
+  return port_.empty() ? 0 : read_option("port", port_, IntegerCodec<int>{between(1, 65535)});
 }
 
 double SimulateCommand::tolerance() const {
-  return read_option("--tolerance", tolerance_, QuantityCodec{Dimension::ratio, inside(0, 1)});
+  return read_option("tolerance", tolerance_, QuantityCodec{Dimension::ratio, inside(0, 1)});
 }
 
 /// Wall time between checkpoints [s], where it was given.
 std::optional<double> SimulateCommand::checkpoint_every() const {
   if (checkpoint_every_.empty()) return std::nullopt;
-  return read_option("--checkpoint-every", checkpoint_every_, QuantityCodec{Dimension::time, above(0)});
+  return read_option("checkpoint-every", checkpoint_every_, QuantityCodec{Dimension::time, above(0)});
 }
 
 Exit SimulateCommand::run(Console& console) {

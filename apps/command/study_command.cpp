@@ -82,7 +82,7 @@ void StudyCommand::check_options() const {
 }
 
 int StudyCommand::workers() const {
-  return jobs_.empty() ? core_count() : read_option("--jobs", jobs_, IntegerCodec<>{between(1, 1024)});
+  return jobs_.empty() ? core_count() : read_option("jobs", jobs_, IntegerCodec<>{between(1, 1024)});
 }
 
 /// That goes on with the study.
@@ -163,7 +163,7 @@ void StudyCommand::finish(const WholeStudy& whole, Console& console) const {
 /// 0 when it is not given.
 double StudyCommand::until_ci() const {
   if (until_ci_.empty()) return 0;
-  return read_option("--until-ci", until_ci_, QuantityCodec{Dimension::ratio, inside(0, 1)});
+  return read_option("until-ci", until_ci_, QuantityCodec{Dimension::ratio, inside(0, 1)});
 }
 
 Exit StudyCommand::run(Console& console) {

@@ -100,11 +100,11 @@ void StudySubmitCommand::check_options() const {
 
 std::size_t StudySubmitCommand::chunk(std::size_t members) const {
   if (chunk_.empty()) return std::max(usual_chunk, (members + most_tasks - 1) / most_tasks);
-  return static_cast<std::size_t>(read_option("--chunk", chunk_, IntegerCodec<>{between(1, 100'000)}));
+  return static_cast<std::size_t>(read_option("chunk", chunk_, IntegerCodec<>{between(1, 100'000)}));
 }
 
 int StudySubmitCommand::cpus() const {
-  return jobs_.empty() ? 1 : read_option("--jobs", jobs_, IntegerCodec<>{between(1, 1024)});
+  return jobs_.empty() ? 1 : read_option("jobs", jobs_, IntegerCodec<>{between(1, 1024)});
 }
 
 SlurmJob StudySubmitCommand::job(const OpenStudy& open) const {

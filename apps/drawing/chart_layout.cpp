@@ -81,18 +81,11 @@ struct Tick {
   bool is_zero = false;
 };
 
-/// "10⁻⁵" rather than "1 × 10⁻⁵".
-std::string logarithmic_text(double value) {
-  const std::string text = trimmed(value, 4);
-  const std::string one = "1\u00A0×\u00A0";
-  return text.rfind(one, 0) == 0 ? text.substr(one.size()) : text;
-}
-
 std::vector<Tick> ticks_of(const Axis& axis, const Range& range, int at_most) {
   std::vector<Tick> ticks;
   if (axis.logarithmic) {
     for (const double value : logarithmic_ticks(std::pow(10, range.low), std::pow(10, range.high), at_most))
-      ticks.push_back({std::log10(value), logarithmic_text(value)});
+      ticks.push_back({std::log10(value), trimmed_power(value, 4)});
     return ticks;
   }
   const Ticks round = ticks_between(range.low, range.high, at_most);

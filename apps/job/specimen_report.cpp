@@ -121,12 +121,16 @@ Json specimen_json(const specimen::Specimen& specimen, const specimen::Grading& 
             {"version", specimen.provenance.version}}}};
 }
 
-std::string specimen_text(const Json& figures) {
-  return fmt::format("specimen {} x {}, {} x {} pixels of {}, {}\n", millimetres(figures["width_m"]),
+std::string specimen_heading(const Json& figures) {
+  return fmt::format("specimen {} x {}, {} x {} pixels of {}, {}", millimetres(figures["width_m"]),
                      millimetres(figures["height_m"]), figures["columns"].get<int>(),
                      figures["rows"].get<int>(), millimetres(figures["pixel_size_m"]),
-                     source_text(figures["source"])) +
-         phases_text(figures["phases"]) + aggregates_text(figures["aggregates"]);
+                     source_text(figures["source"]));
+}
+
+std::string specimen_text(const Json& figures) {
+  return specimen_heading(figures) + "\n" + phases_text(figures["phases"]) +
+         aggregates_text(figures["aggregates"]);
 }
 
 }  // namespace app

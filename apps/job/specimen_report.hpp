@@ -14,6 +14,9 @@ namespace app {
 [[nodiscard]] nlohmann::ordered_json specimen_json(const specimen::Specimen& specimen,
                                                    const specimen::Grading& target);
 
+/// Of the JSON: sizes and source, in a line without its end.
+[[nodiscard]] std::string specimen_heading(const nlohmann::ordered_json& figures);
+
 /// The same as a few lines of text, made from the JSON.
 [[nodiscard]] std::string specimen_text(const nlohmann::ordered_json& figures);
 

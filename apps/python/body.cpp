@@ -85,8 +85,7 @@ std::vector<std::string> body_write(const Body& body, const py::object& path) {
 nlohmann::ordered_json body_figures(const Body& body) { return app::specimen_json(*body.specimen, {}); }
 
 std::string body_representation(const Body& body) {
-  std::string text = app::specimen_text(body_figures(body));
-  text.resize(text.find('\n'));
+  std::string text = app::specimen_heading(body_figures(body));
   const std::vector<std::int64_t> counts = specimen::count_labels(body.specimen->mask);
   const std::vector<double> shares = specimen::fractions(body.specimen->mask);
   for (std::size_t label = 0; label < counts.size(); ++label)

@@ -1,33 +1,11 @@
 #include "apps/python/options.hpp"
 
-#include <regex>
-
 #include "apps/settings/offer.hpp"
 
 namespace binding {
 namespace {
 
 py::object exception_type(const char* name) { return py::module_::import("mesopix.errors").attr(name); }
-
-/// Options of the program, --stop-drop, are arguments here, stop_drop; its command lines stay what they are.
-std::string in_python(const std::string& part) {
-  static const std::regex option("--([a-z][a-z.-]*)");
-  if (part.find("mesopix ") != std::string::npos) return part;
-  std::string text;
-  auto from = part.begin();
-  for (std::sregex_iterator found(part.begin(), part.end(), option); found != std::sregex_iterator();
-       ++found) {
-    text.append(from, (*found)[0].first);
-    text += app::with_underscores((*found)[1]);
-    from = (*found)[0].second;
-  }
-  return text.append(from, part.end());
-}
-
-app::Complaint in_python(app::Complaint complaint) {
-  for (std::string* part : {&complaint.field, &complaint.allowed, &complaint.cure}) *part = in_python(*part);
-  return complaint;
-}
 
 py::object as_tuple(const app::Complaint& complaint) {
   return exception_type("Complaint")(app::text(complaint), app::text(complaint.place), complaint.field,
@@ -39,8 +17,7 @@ py::object exception_of(const app::Rejected& refusal) {
   if (refusal.code == app::Exit::internal)
     return py::reinterpret_borrow<py::object>(PyExc_RuntimeError)(refusal.what());
   py::list complaints;
-  for (const app::Complaint& complaint : refusal.complaints)
-    complaints.append(as_tuple(in_python(complaint)));
+  for (const app::Complaint& complaint : refusal.complaints) complaints.append(as_tuple(complaint));
   return exception_type(refusal.code == app::Exit::io ? "FileError" : "Error")(*complaints);
 }
 
@@ -51,6 +28,7 @@ void set_error(const py::object& exception) {
 }  // namespace
 
 void translate_refusals() {
+  app::call_options_by(&app::with_underscores);                         // they are arguments here
   py::register_exception_translator([](std::exception_ptr exception) {  // NOLINT: the library's signature
     try {
       if (exception) std::rethrow_exception(exception);

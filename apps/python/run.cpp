@@ -54,7 +54,7 @@ class Task {
  private:
   std::optional<double> read_tolerance() const {
     if (wanted_.tolerance.is_none()) return std::nullopt;
-    return app::read_option("--tolerance", option_text(wanted_.tolerance),
+    return app::read_option("tolerance", option_text(wanted_.tolerance),
                             app::QuantityCodec{app::Dimension::ratio, app::inside(0, 1)});
   }
 

@@ -38,9 +38,9 @@ struct Wanted {
 Wanted wanted_of(const py::object& jobs, const py::object& until_ci, bool retry) {
   Wanted wanted{app::core_count(), 0, retry};
   if (!jobs.is_none())
-    wanted.jobs = app::read_option("--jobs", option_text(jobs), app::IntegerCodec<>{app::between(1, 1024)});
+    wanted.jobs = app::read_option("jobs", option_text(jobs), app::IntegerCodec<>{app::between(1, 1024)});
   if (!until_ci.is_none())
-    wanted.share = app::read_option("--until-ci", option_text(until_ci),
+    wanted.share = app::read_option("until-ci", option_text(until_ci),
                                     app::QuantityCodec{app::Dimension::ratio, app::inside(0, 1)});
   return wanted;
 }

@@ -49,7 +49,7 @@ fs::path make_run_folder(const fs::path& wanted, const fs::path& stem, bool over
                    complaint("-o", folder.string(), "is a file; must be a folder", "choose another name"));
   if (taken && !overwrite)
     throw Rejected(Exit::usage, complaint("-o", folder.string(), "is not empty",
-                                          "choose another folder, or add --overwrite"));
+                                          "choose another folder, or add " + option_name("overwrite")));
   make_folders(folder);
   return folder;
 }

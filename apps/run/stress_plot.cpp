@@ -61,8 +61,8 @@ output::ColourScale read_range(const std::string& text) {
   std::string low = text.substr(0, colon);
   if (unit_of(low).empty()) low += " " + unit_of(high);
   const QuantityCodec pressure{Dimension::pressure};
-  const output::ColourScale range{1e-6 * read_option("--range", low, pressure),
-                                  1e-6 * read_option("--range", high, pressure)};
+  const output::ColourScale range{1e-6 * read_option("range", low, pressure),
+                                  1e-6 * read_option("range", high, pressure)};
   if (!(range.low < range.high))
     throw Rejected(Exit::usage, complaint("--range", text, "the second must be larger than the first"));
   return range;

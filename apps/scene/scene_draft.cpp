@@ -87,9 +87,9 @@ const char* words_of(mpm::Direction direction) {
   return "";
 }
 
-std::string subject(const DraftWish& wish) {
+std::string subject(const DraftWish& wish, const char* without_file) {
   const std::string& file = wish.picture.empty() ? wish.specimen : wish.picture;
-  return file.empty() ? "random aggregates" : printable(fs::path(file).filename().string());
+  return file.empty() ? without_file : printable(fs::path(file).filename().string());
 }
 
 /// All that the scene gives, and what would hold without it.
@@ -99,7 +99,7 @@ class Draft {
     give(of_source(wish));
     give(of_loading(wish.direction));
     give({{"damage.seed", {std::int64_t{1}}}, {"solver.cfl", {0.8}}});
-    give({{"output.title", {capital(subject(wish)) + " " + words_of(wish.direction)}}});
+    give({{"output.title", {subject(wish, "Random aggregates") + " " + words_of(wish.direction)}}});
     if (!wish.specimen.empty()) add_phases(read_specimen(wish.specimen).mask.phases);
   }
 
@@ -112,11 +112,6 @@ class Draft {
   }
 
  private:
-  static std::string capital(std::string words) {
-    if (words == "random aggregates") words.front() = 'R';
-    return words;
-  }
-
   void give(const LiveSettings& settings) {
     for (const Live& one : settings) {
       try {
@@ -223,7 +218,7 @@ std::string scene_draft(const DraftWish& wish) {
              "with a unit, ratios numbers or\n"
              "# texts with %. Tables that have no effect on this scene are left out: mesopix simulate "
              "--help tells of all.\n",
-             version(), subject(wish), words_of(wish.direction), name, name) +
+             version(), subject(wish, "random aggregates"), words_of(wish.direction), name, name) +
          draft.tables();
 }
 

@@ -7,6 +7,7 @@
 #include "apps/system/files.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
+#include "specimen/convert/convert.hpp"
 
 namespace app {
 namespace {
@@ -27,6 +28,10 @@ Rejected unplaced(const std::exception_ptr& exception) {
     std::rethrow_exception(exception);
   } catch (const Rejected& rejected) {
     return rejected;
+  } catch (const specimen::NoScale& error) {
+    Complaint unscaled = complaint_of(error);
+    unscaled.cure = "give " + option_name("pixel-size") + " 0.5mm or " + option_name("width") + " 150mm";
+    return {Exit::data, unscaled};
   } catch (const specimen::Error& error) {
     return {error.fault == specimen::Fault::write ? Exit::io : Exit::data, complaint_of(error)};
   } catch (const NotWritten& missing) {

@@ -16,13 +16,13 @@
 
 namespace app {
 
-/// @param option  "--tolerance".   @throws Rejected (Exit::usage) for a text that the codec refuses.
+/// @param option  its name, "stop-drop".   @throws Rejected (Exit::usage) for a text that the codec refuses.
 template <class Codec>
 [[nodiscard]] auto read_option(const char* option, const std::string& text, const Codec& codec) {
   try {
     return codec.read(from_command_line(Kind::integer, text));
   } catch (const Mistake& mistake) {
-    throw Rejected(Exit::usage, complaint(option, text, mistake.allowed, mistake.cure));
+    throw Rejected(Exit::usage, complaint(option_name(option), text, mistake.allowed, mistake.cure));
   }
 }
 

@@ -59,7 +59,7 @@ double read_ratio(const Value& value) {
     return *number;
   }
   if (const std::string* text = as_text(value)) return parse_quantity(*text, Dimension::ratio);
-  throw Mistake(must_be(Dimension::ratio));
+  throw NoQuantity(Dimension::ratio);
 }
 
 double read_dimensional(const Value& value, Dimension dimension) {
@@ -68,7 +68,7 @@ double read_dimensional(const Value& value, Dimension dimension) {
     throw Mistake("must be a finite number");
   if (std::holds_alternative<double>(value.data) || std::holds_alternative<std::int64_t>(value.data))
     throw Mistake("needs a unit", "write e.g. " + quoted(example(dimension)));
-  throw Mistake(must_be(dimension));
+  throw NoQuantity(dimension);
 }
 
 std::vector<std::string> word_of(const std::optional<Word>& word) {
@@ -103,9 +103,8 @@ double QuantityCodec::read(const Value& value) const {
   double number = 0;
   try {
     number = dimension == Dimension::ratio ? read_ratio(value) : read_dimensional(value, dimension);
-  } catch (const Mistake& mistake) {
-    const bool told = mistake.allowed == must_be(dimension);
-    throw Mistake(told ? or_word(mistake.allowed, word) : mistake.allowed, mistake.cure);
+  } catch (const NoQuantity& mistake) {
+    throw Mistake(or_word(mistake.allowed, word), mistake.cure);
   }
   if (!bounds.contains(number)) throw Mistake(or_word(bounds.text(dimension), word));
   return number;

@@ -81,7 +81,7 @@ void refuse_failures(const Study& study, const StudyFolder& folder, const std::v
   if (failed == 0) return;
   complaints.push_back(complaint("study", fmt::format("{} of {} members failed", failed, members.size()),
                                  "all reasons are in " + (folder.path() / "failures").string(),
-                                 "--retry runs them again"));
+                                 option_name("retry") + " runs them again"));
   throw Rejected(Exit::data, std::move(complaints));
 }
 

@@ -118,6 +118,18 @@ Complaint complaint(std::string field, std::string value, std::string allowed, s
   return result;
 }
 
+namespace {
+
+std::string with_two_dashes(std::string name) { return "--" + name; }
+
+std::string (*spelling_of_options)(std::string) = &with_two_dashes;
+
+}  // namespace
+
+std::string option_name(const std::string& name) { return spelling_of_options(name); }
+
+void call_options_by(std::string (*spelling)(std::string name)) { spelling_of_options = spelling; }
+
 std::string text(const Suggestion& suggestion) {
   return suggestion.meant.empty() ? suggestion.otherwise : "did you mean " + suggestion.meant + "?";
 }

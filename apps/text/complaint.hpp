@@ -51,6 +51,13 @@ inline constexpr std::size_t most_complaints = 100;
 [[nodiscard]] Complaint complaint(std::string field, std::string value, std::string allowed,
                                   std::string cure = {});
 
+/// What users call an option: "--stop-drop", or what it is called where they write no command lines.
+[[nodiscard]] std::string option_name(const std::string& name);
+
+/// From now on options are called so in this process.   @param spelling  of the name without dashes before
+/// it.
+void call_options_by(std::string (*spelling)(std::string name));
+
 /// What there is in place of a name that nothing has.
 struct Suggestion {
   std::string meant;      ///< the name that it seems to be; empty = none is near

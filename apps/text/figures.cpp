@@ -45,12 +45,30 @@ Scientific scientific(double value, int digits) {
   return {text.substr(0, e), std::stoi(text.substr(e + 1))};
 }
 
-std::string rounded_positive(double value, int digits) {
-  const Scientific parts = scientific(value, digits);
-  if (parts.exponent < -3 || parts.exponent >= 7)
-    return fmt::format("{}{}×{}10{}", parts.mantissa, no_break_space, no_break_space,
-                       superscript(parts.exponent));
-  return group_thousands(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - parts.exponent)));
+/// "1.25" of "1.2500".
+std::string without_zeros(std::string digits) {
+  if (digits.find('.') == std::string::npos) return digits;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') digits.pop_back();
+  return digits;
+}
+
+enum class Style { rounded, trimmed, power };
+
+std::string figure(double value, int digits, Style style) {
+  if (!std::isfinite(value)) return std::string(dash);
+  if (value == 0) return "0";
+  const auto shown = [style](const std::string& all) {
+    return style == Style::rounded ? all : without_zeros(all);
+  };
+  const Scientific parts = scientific(std::abs(value), digits);
+  const std::string sign(value < 0 ? minus : "");
+  if (parts.exponent >= -3 && parts.exponent < 7)
+    return sign + group_thousands(shown(
+                      fmt::format("{:.{}f}", std::abs(value), std::max(0, digits - 1 - parts.exponent))));
+  const std::string mantissa = shown(parts.mantissa), power = "10" + superscript(parts.exponent);
+  if (style == Style::power && mantissa == "1") return sign + power;
+  return fmt::format("{}{}{}×{}{}", sign, mantissa, no_break_space, no_break_space, power);
 }
 
 }  // namespace
@@ -60,22 +78,11 @@ std::string exact(double value) {
   return fmt::format("{}", value);
 }
 
-std::string rounded(double value, int digits) {
-  if (!std::isfinite(value)) return std::string(dash);
-  if (value == 0) return "0";
-  return (value < 0 ? std::string(minus) : "") + rounded_positive(std::abs(value), digits);
-}
+std::string rounded(double value, int digits) { return figure(value, digits, Style::rounded); }
 
-std::string trimmed(double value, int digits) {
-  std::string text = rounded(value, digits);
-  const std::size_t end = text.find(no_break_space);  // a power of ten may follow
-  const std::size_t point = text.find('.');
-  if (point == std::string::npos) return text;
-  const std::size_t stop = std::min(end, text.size());
-  std::size_t keep = text.find_last_not_of('0', stop - 1) + 1;
-  if (keep == point + 1) keep = point;
-  return text.substr(0, keep) + text.substr(stop);
-}
+std::string trimmed(double value, int digits) { return figure(value, digits, Style::trimmed); }
+
+std::string trimmed_power(double value, int digits) { return figure(value, digits, Style::power); }
 
 std::string with_decimals(double value, int decimals) {
   if (!std::isfinite(value)) return std::string(dash);

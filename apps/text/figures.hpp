@@ -17,6 +17,9 @@ namespace output {
 /// As rounded(), less the zeros behind the point that say nothing: for what somebody chose ("0.05").
 [[nodiscard]] std::string trimmed(double value, int digits = 6);
 
+/// As trimmed(), but a power of ten alone: "10⁻⁵" rather than "1 × 10⁻⁵".
+[[nodiscard]] std::string trimmed_power(double value, int digits);
+
 /// A fixed number of decimals, else as rounded().
 [[nodiscard]] std::string with_decimals(double value, int decimals);
 

@@ -139,13 +139,13 @@ double to_double(const Numeral& numeral, int shift) {
   const std::string bare = start.substr(start.find_first_not_of("+-") == 1 ? 1 : 0, 3);
   if (bare == "nan" || bare == "inf" || bare == "NaN" || bare == "Inf" || bare == "NAN" || bare == "INF")
     throw Mistake("must be a finite number");
-  throw Mistake(must_be(dimension));
+  throw NoQuantity(dimension);
 }
 
 [[noreturn]] void refuse_unit(std::string_view unit, Dimension dimension) {
-  if (unit.front() == ',') throw Mistake(must_be(dimension), "write the decimals behind a point");
+  if (unit.front() == ',') throw NoQuantity(dimension, "write the decimals behind a point");
   const bool could_be_a_unit = std::isalpha(static_cast<unsigned char>(unit.front())) != 0 || unit == "%";
-  if (!could_be_a_unit || known_anywhere(unit)) throw Mistake(must_be(dimension));
+  if (!could_be_a_unit || known_anywhere(unit)) throw NoQuantity(dimension);
   const std::vector<std::string> names = unit_names(dimension);
   throw Mistake(fmt::format("unknown unit {}, allowed are {}", unit, listed(names, "and")),
                 did_you_mean(unit, names));
@@ -164,6 +164,21 @@ std::string factored_text(double value, const Unit& unit) {
 std::string number_in(double value, const Unit& unit) {
   if (unit.factor != 1) return factored_text(value, unit);
   return format_shifted(value, -unit.exponent);
+}
+
+/// The unit in which the text of the value is shortest.
+const Unit& readable_unit(double value, Dimension dimension) {
+  const Unit* best = nullptr;
+  std::size_t least = 0;
+  for (const Unit& unit : units) {
+    if (unit.dimension != dimension || !unit.written) continue;
+    const std::string number = number_in(value, unit);
+    const std::size_t length = number.size() + unit.name.size();
+    if (number.empty() || (best != nullptr && length >= least)) continue;
+    best = &unit;
+    least = length;
+  }
+  return *best;
 }
 
 }  // namespace
@@ -231,11 +246,12 @@ std::string example(Dimension dimension) {
   return {};
 }
 
-std::string must_be(Dimension dimension) {
-  const std::string article = dimension == Dimension::area || dimension == Dimension::angle ? "an " : "a ";
-  const std::string shown = dimension == Dimension::ratio ? example(dimension) : quoted(example(dimension));
-  return "must be " + article + name(dimension) + ", e.g. " + shown;
-}
+NoQuantity::NoQuantity(Dimension dimension, const std::string& how_to_cure)
+    : Mistake(fmt::format("must be {} {}, e.g. {}",
+                          dimension == Dimension::area || dimension == Dimension::angle ? "an" : "a",
+                          name(dimension),
+                          dimension == Dimension::ratio ? example(dimension) : quoted(example(dimension))),
+              how_to_cure) {}
 
 bool is_unit(std::string_view unit, Dimension dimension) { return find_unit(unit, dimension) != nullptr; }
 
@@ -254,15 +270,13 @@ double parse_quantity(std::string_view text, Dimension dimension) {
 
 std::string format_quantity(double value, Dimension dimension) {
   if (dimension == Dimension::ratio) return format_number(value);
-  std::string best;
-  for (const Unit& unit : units) {
-    if (unit.dimension != dimension || !unit.written) continue;
-    const std::string number = number_in(value, unit);
-    if (number.empty()) continue;
-    const std::string candidate = fmt::format("{} {}", number, unit.name);
-    if (best.empty() || candidate.size() < best.size()) best = candidate;
-  }
-  return best;
+  const Unit& unit = readable_unit(value, dimension);
+  return fmt::format("{} {}", number_in(value, unit), unit.name);
+}
+
+std::string format_like(double value, double other, Dimension dimension) {
+  const Unit& unit = readable_unit(other, dimension);
+  return fmt::format("{:.5g} {}", value / (std::pow(10, unit.exponent) * unit.factor), unit.name);
 }
 
 namespace {

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "apps/text/complaint.hpp"
+
 namespace app {
 
 /// What a number measures; energy is that of an area, as of a crack. Everything inside the program is in SI
@@ -24,8 +26,10 @@ enum class Dimension { ratio, length, area, pressure, angle, velocity, density, 
 /// out.
 [[nodiscard]] std::vector<std::string> unit_names(Dimension dimension);
 
-/// "must be a length, e.g. "0.5 mm"".
-[[nodiscard]] std::string must_be(Dimension dimension);
+/// A value that is no quantity of the dimension at all: must be a length, e.g. "0.5 mm".
+struct NoQuantity : Mistake {
+  explicit NoQuantity(Dimension dimension, const std::string& how_to_cure = {});
+};
 
 /// A quantity in SI units. A unit is obligatory but for ratios (where "%" and "microstrain" are possible).
 /// Decimal units shift the exponent before the one rounding to binary: "0.5 mm" is the double 0.5e-3.
@@ -35,6 +39,9 @@ enum class Dimension { ratio, length, area, pressure, angle, velocity, density, 
 
 /// The shortest text in a readable unit that parse_quantity reads back to the same double.
 [[nodiscard]] std::string format_quantity(double value, Dimension dimension);
+
+/// The value in the unit in which format_quantity() writes another one, with five digits.
+[[nodiscard]] std::string format_like(double value, double other, Dimension dimension);
 
 /// Whether a unit of this name measures the dimension.
 [[nodiscard]] bool is_unit(std::string_view unit, Dimension dimension);

@@ -90,11 +90,11 @@ specimen::TwinOptions twin_options(const TwinWish& wish) {
   const ChoiceCodec<Border> border{
       {{"auto", Border::automatic}, {"cut", Border::cut}, {"whole", Border::whole}}};
   specimen::TwinOptions options;
-  options.width = optional_length("--twin-width", wish.width);
-  options.height = optional_length("--twin-height", wish.height);
-  options.pixel_size = optional_length("--twin-pixel-size", wish.pixel_size);
-  options.gap = read_option("--gap", wish.gap, length(at_least(0), Word{"auto", -1}));
-  options.border = read_option("--border", wish.border, border);
+  options.width = optional_length("twin-width", wish.width);
+  options.height = optional_length("twin-height", wish.height);
+  options.pixel_size = optional_length("twin-pixel-size", wish.pixel_size);
+  options.gap = read_option("gap", wish.gap, length(at_least(0), Word{"auto", -1}));
+  options.border = read_option("border", wish.border, border);
   return options;
 }
 
@@ -103,8 +103,8 @@ TwinTask make_twin_task(const TwinWish& wish, const std::string& input, const Se
   require_inclusions(original, input);
   TwinTask task;
   task.name = std::filesystem::path(input).stem().string();
-  task.count = read_option("--count", wish.count, IntegerCodec<>{between(1, 1000)});
-  task.seed = read_option("--seed", wish.seed, IntegerCodec<std::uint64_t>{at_least(0)});
+  task.count = read_option("count", wish.count, IntegerCodec<>{between(1, 1000)});
+  task.seed = read_option("seed", wish.seed, IntegerCodec<std::uint64_t>{at_least(0)});
   task.itz = itz;
   task.settings = settings;
   task.descriptors = specimen::describe(original);

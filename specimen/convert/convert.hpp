@@ -34,6 +34,7 @@
 #include <utility>
 #include <vector>
 
+#include "specimen/body/error.hpp"
 #include "specimen/body/specimen.hpp"
 #include "specimen/picture/picture.hpp"
 
@@ -102,8 +103,13 @@ struct Converted {
   ConvertReport report;
 };
 
+/// Neither the options nor the file of a picture tell how large a pixel is.
+struct NoScale : Error {
+  using Error::Error;
+};
+
 /// Convert a picture.
-/// @throws Error for a scale that is missing, or options that do not fit it.
+/// @throws NoScale, and Error for options that do not fit it.
 [[nodiscard]] Converted convert_picture(Picture picture, const ConvertOptions& options);
 
 /// Convert a picture file.

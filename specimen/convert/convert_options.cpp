@@ -162,8 +162,8 @@ double source_pixel_size(const Picture& picture, const ConvertOptions& options, 
   if (options.source_pixel_size > 0) return options.source_pixel_size;
   if (options.width > 0) return options.width / picture.cols();
   if (picture.pixel_size <= 0)
-    throw Error("convert.pixel_size", "not given, and the file does not say", "the scale is needed",
-                "give --pixel-size 0.5mm or --width 150mm");
+    throw NoScale("convert.pixel_size", "not given, and the file does not say", "the scale is needed",
+                  "give source_pixel_size or width");
   report.notes.push_back(
       "the scale, " + length_text(picture.pixel_size) + " per pixel (" +
       short_number(0.0254 / picture.pixel_size) +

@@ -147,11 +147,10 @@ TEST(ConvertOptions, ScaleIsAsGivenElseTheTagElseAnError) {
   try {
     (void)specimen::source_pixel_size(picture, options, report);
     FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "convert.pixel_size: not given, and the file does not say; the scale is needed; give --pixel-size "
-        "0.5mm or --width 150mm");
+  } catch (const specimen::NoScale& error) {
+    EXPECT_STREQ(error.what(),
+                 "convert.pixel_size: not given, and the file does not say; the scale is needed; give "
+                 "source_pixel_size or width");
   }
   picture.pixel_size = 0.0254 / 2400;
   EXPECT_EQ(specimen::source_pixel_size(picture, options, report), 0.0254 / 2400);
