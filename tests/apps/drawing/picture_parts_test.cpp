@@ -7,6 +7,8 @@
 namespace picture_parts_test {
 
 using namespace output;
+using specimen::Raster;
+using specimen::Rgb;
 using test::drawn;
 
 TEST(CrispFactor, BringsAPictureToTwiceItsWidthOnPaper) {
@@ -32,6 +34,53 @@ TEST(AddLegend, BeginsALineWhereOneIsFull) {
   EXPECT_DOUBLE_EQ(add_legend(drawing, {entry, entry}, 100), 100);
   EXPECT_DOUBLE_EQ(add_legend(drawing, {entry, entry, entry}, 100), 100 + text_line);
   for (const Words& words : drawn<Words>(drawing)) EXPECT_LT(words.at.x, 480 - 20 * 8);
+}
+
+Raster<Rgb> numbered(int rows, int cols) {
+  Raster<Rgb> picture(rows, cols);
+  for (std::size_t i = 0; i < picture.size(); ++i) picture.data[i] = {static_cast<std::uint8_t>(i), 100, 200};
+  return picture;
+}
+
+TEST(Magnified, RepeatsEveryPixel) {
+  const Raster<Rgb> small = numbered(2, 3);
+  const Raster<Rgb> large = magnified(small, 4);
+  ASSERT_EQ(large.rows, 8);
+  ASSERT_EQ(large.cols, 12);
+  for (int row = 0; row < 8; ++row)
+    for (int col = 0; col < 12; ++col) EXPECT_EQ(large(row, col), small(row / 4, col / 4));
+}
+
+TEST(Shrunk, UndoesMagnified) {
+  const Raster<Rgb> small = numbered(3, 5);
+  EXPECT_EQ(shrunk(magnified(small, 3), 3), small);
+  EXPECT_EQ(shrunk(small, 1), small);
+}
+
+TEST(Shrunk, TakesTheMeanAndWhatIsLeftAtTheEdges) {
+  Raster<Rgb> picture(3, 3, {10, 10, 10});
+  picture(0, 0) = {50, 10, 10};
+  picture(2, 2) = {9, 9, 9};
+  const Raster<Rgb> small = shrunk(picture, 2);
+  ASSERT_EQ(small.rows, 2);
+  ASSERT_EQ(small.cols, 2);
+  EXPECT_EQ(small(0, 0), (Rgb{20, 10, 10}));
+  EXPECT_EQ(small(1, 1), (Rgb{9, 9, 9}));
+}
+
+TEST(FileMagnification, BringsSmallMasksToSixHundredPixels) {
+  EXPECT_EQ(file_magnification(150, 150), 4);
+  EXPECT_EQ(file_magnification(300, 300), 2);
+  EXPECT_EQ(file_magnification(299, 299), 3);
+  EXPECT_EQ(file_magnification(600, 600), 1);
+  EXPECT_EQ(file_magnification(5000, 5000), 1);
+  EXPECT_EQ(file_magnification(2000, 10), 2) << "a narrow strip must not become huge";
+}
+
+TEST(ShrinkFactor, BringsTheLongerSideBelowALimit) {
+  EXPECT_EQ(shrink_factor(300, 900, 900), 1);
+  EXPECT_EQ(shrink_factor(300, 901, 900), 2);
+  EXPECT_EQ(shrink_factor(4000, 100, 900), 5);
 }
 
 }  // namespace picture_parts_test

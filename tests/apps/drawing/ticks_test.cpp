@@ -3,10 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ticks_test {
 
+using output::Place;
+using output::strain_unit;
 using testing::ElementsAre;
 
 TEST(Ticks, AreRoundMultiplesWithinTheRange) {
@@ -62,6 +66,57 @@ TEST(TickText, UsesPowersOfTenWhereThatIsShorter) {
   EXPECT_EQ(output::tick_text(3e-7, 1e-7), "3\u00A0×\u00A010⁻⁷");
   EXPECT_EQ(output::tick_text(1.2e-6, 1e-7), "1.2\u00A0×\u00A010⁻⁶");
   EXPECT_EQ(output::tick_text(3e9, 1e9), "3\u00A0×\u00A010⁹");
+}
+
+TEST(StrainUnit, IsPercentFromOnePercentOn) {
+  EXPECT_EQ(strain_unit(0.00999).name, "microstrain");
+  EXPECT_EQ(strain_unit(0.00999).per_strain, 1e6);
+  EXPECT_EQ(strain_unit(0.01).name, "%");
+  EXPECT_EQ(strain_unit(0.01).per_strain, 100);
+}
+
+TEST(StrainUnit, OfARunIsThatOfItsLargestStrain) {
+  mpm::Result result;
+  EXPECT_EQ(strain_unit(result).name, "microstrain");
+  result.history.resize(3);
+  result.history[1].strain = 0.05;
+  result.history[2].strain = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(strain_unit(result).name, "%");
+}
+
+TEST(StrainWords, NameTheShareOfThePeakWhereThereIsOne) {
+  mpm::Result result;
+  EXPECT_EQ(output::strain_words(result, 118e-6, 1), "118 microstrain");
+  result.peak_strain = 118.4e-6;
+  EXPECT_EQ(output::strain_words(result, 118e-6, 0), "118 microstrain, 100\u00A0% of the peak strain");
+  EXPECT_EQ(output::strain_words(result, 118e-6, 1), "118 microstrain, 99.7\u00A0% of the peak strain");
+}
+
+TEST(UnbrokenLines, StopWhereAValueIsNoNumber) {
+  const double gap = std::nan("");
+  const auto lines = output::unbroken_lines({0, 1, 2, 3, 4, 5, 6}, {0, 1, gap, 3, gap, 5, 6});
+  ASSERT_EQ(lines.size(), 2U);  // the point at 3 stands alone
+  EXPECT_EQ(lines[0].size(), 2U);
+  EXPECT_EQ(lines[1].front().x, 5);
+}
+
+TEST(UnbrokenLines, AreNoneForNoPoints) { EXPECT_TRUE(output::unbroken_lines({}, {}).empty()); }
+
+TEST(ThinLine, LeavesAShortLineAsItIs) {
+  const std::vector<Place> line{{0, 0}, {10, 5}, {20, 0}};
+  EXPECT_EQ(output::thin_line(line).size(), 3U);
+}
+
+TEST(ThinLine, KeepsEndsAndExtremesInOrder) {
+  std::vector<Place> line;
+  for (int i = 0; i < 100000; ++i) line.push_back({i / 1000.0, 50 + 40 * std::sin(0.37 * i)});
+  line[54321].y = -1000;  // a spike one sample wide
+  const std::vector<Place> thin = output::thin_line(line);
+  EXPECT_LE(thin.size(), 4U * 200);
+  EXPECT_EQ(thin.front().x, line.front().x);
+  EXPECT_EQ(thin.back().x, line.back().x);
+  EXPECT_TRUE(std::is_sorted(thin.begin(), thin.end(), [](Place a, Place b) { return a.x < b.x; }));
+  EXPECT_TRUE(std::any_of(thin.begin(), thin.end(), [](Place p) { return p.y == -1000; }));
 }
 
 }  // namespace ticks_test

@@ -1,6 +1,7 @@
 #include "apps/live/live_server.hpp"
 
 #include <arpa/inet.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
 
@@ -121,6 +122,22 @@ TEST_F(Server, EndsBesideASilentGuest) {
   ASSERT_EQ(connect(socket, reinterpret_cast<const sockaddr*>(&here), sizeof here), 0);
   EXPECT_EQ(status(root()), 200);
   close(socket);
+}
+
+TEST(Token, IsLongAndNeverTheSame) {
+  const std::string token = app::random_token();
+  EXPECT_THAT(token, testing::MatchesRegex("[0-9a-f]+"));
+  EXPECT_EQ(token.size(), 32U);
+  EXPECT_NE(token, app::random_token());
+}
+
+TEST(Token, IsTheSameInEveryLetterOnly) {
+  EXPECT_TRUE(app::same_secret("0123abcd", "0123abcd"));
+  EXPECT_FALSE(app::same_secret("0123abce", "0123abcd"));
+  EXPECT_FALSE(app::same_secret("1123abcd", "0123abcd"));
+  EXPECT_FALSE(app::same_secret("0123abc", "0123abcd"));
+  EXPECT_FALSE(app::same_secret("0123abcd0", "0123abcd"));
+  EXPECT_FALSE(app::same_secret("", "0123abcd"));
 }
 
 }  // namespace live_server_test

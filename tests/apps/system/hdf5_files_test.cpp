@@ -2,12 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <iostream>
+#include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "apps/text/complaint.hpp"
 #include "libmpm/files/frame_file.hpp"
 #include "libmpm/files/result_file.hpp"
 #include "libmpm/scene/error.hpp"
+#include "tests/apps/refusal.hpp"
 #include "tests/damaged.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 #include "tests/specimen/temporary_folder.hpp"
@@ -80,6 +88,64 @@ TEST_F(Hdf5Files, DamagedAreReadOrRefused) {
   for (std::uint32_t i = 0; i < 50; ++i) frame.points.push_back({.id = i, .x = 0.1 * i, .damage = 0.01 * i});
   mpm::write_frame(path_, frame, samples::mortar_block(10, 10));
   EXPECT_GT(refusals(1009, app::read_frame), 0);
+}
+
+TEST(Hdf5Turn, IsHadByOneThreadAtATime) {
+  std::atomic<int> inside = 0, most = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 200; ++k) {
+        const app::Hdf5Turn turn = app::hdf5_turn();
+        const int now = ++inside;
+        if (now > most) most = now;
+        std::this_thread::yield();
+        --inside;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(most, 1);
+}
+
+std::string verdict(const std::function<void()>& read) {
+  return test::refusal([&] { app::try_reading("file.h5", read, 1); });
+}
+
+constexpr const char* cure = "; take a copy of it, or make it again";
+
+TEST(Trial, LeavesNoTraceOfWhatWasRead) {
+  bool was_read = false;
+  EXPECT_EQ(verdict([&] { was_read = true; }), "nothing");
+  EXPECT_FALSE(was_read) << "in this process";
+}
+
+TEST(Trial, LeavesErrorsToTheProgram) {
+  EXPECT_EQ(verdict([] { throw std::runtime_error("no such file"); }), "nothing");
+}
+
+TEST(Trial, OutlivesWhatEndsAProcess) {
+  for (const int signal : {SIGSEGV, SIGFPE, SIGBUS, SIGABRT, SIGILL})
+    EXPECT_EQ(verdict([&] { std::raise(signal); }),
+              std::string("file.h5: is damaged: HDF5 fails on it") + cure)
+        << signal;
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(verdict([] {
+              std::cerr << "free(): invalid pointer" << std::endl;
+              std::exit(3);
+            }),
+            std::string("file.h5: is damaged: HDF5 fails on it") + cure);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Trial, DoesNotWaitForWhatHasNoEnd) {
+  EXPECT_EQ(verdict([] {
+              for (volatile bool goes_on = true; goes_on;) continue;
+            }),
+            std::string("file.h5: is damaged: HDF5 comes to no end with it") + cure);
+}
+
+TEST(Trial, ThatTheUserEndsSaysNothingOfTheFile) {
+  EXPECT_EQ(verdict([] { std::raise(SIGTERM); }), "nothing");
 }
 
 }  // namespace hdf5_files_test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace terminal_test {
 
 using app::terminal_with;
@@ -35,6 +37,29 @@ TEST(Terminal, HeadingsStandOutInAHelp) {
   EXPECT_EQ(app::with_headings(help, true), "Usage: mesopix\n\n\x1b[1mLoading:\x1b[0m\n  --velocity:\n");
   EXPECT_EQ(app::in_red("mesopix:", true), "\x1b[1;31mmesopix:\x1b[0m");
   EXPECT_EQ(app::in_red("mesopix:", false), "mesopix:");
+}
+
+TEST(TerminalLine, IsWrittenOverAndWipedAtTheEnd) {
+  std::ostringstream terminal;
+  {
+    app::TerminalLine line(terminal, true);
+    line.show("one");
+    line.show("two");
+  }
+  EXPECT_EQ(terminal.str(), "\r\x1b[Kone\r\x1b[Ktwo\r\x1b[K");
+}
+
+TEST(TerminalLine, CutsWhatWouldNotFit) {
+  std::ostringstream terminal;
+  app::TerminalLine line(terminal, true);
+  line.show(std::string(100, 'x'));
+  EXPECT_EQ(terminal.str(), "\r\x1b[K" + std::string(79, 'x'));
+}
+
+TEST(TerminalLine, SaysNothingWhereThereIsNoTerminal) {
+  std::ostringstream terminal;
+  { app::TerminalLine(terminal, false).show("one"); }
+  EXPECT_EQ(terminal.str(), "");
 }
 
 }  // namespace terminal_test

@@ -3,12 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "specimen/body/error.hpp"
 #include "specimen/pack/packing.hpp"
+#include "tests/specimen/sample_specimen.hpp"
 
 namespace specimen {
 namespace specimen_test {
+
+using specimen::Specimen;
 
 Segmented packed() {
   const PackingOptions options;
@@ -62,6 +67,80 @@ TEST(Specimen, RefusesANegativeThickness) {
     EXPECT_THROW((void)make_specimen(packed(), {ItzMode::ring, thickness, 36}, {}), Error);
   }
   EXPECT_THROW((void)make_specimen(packed(), {ItzMode::points, 0, 2}, {}), Error);
+}
+
+/// What validate says of the sample after one change.
+std::string verdict(const std::function<void(Specimen&)>& change) {
+  Specimen s = test::sample_specimen();
+  change(s);
+  try {
+    specimen::validate(s);
+  } catch (const specimen::Error& error) {
+    return error.what();
+  }
+  return "valid";
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Validate, TakesASoundSpecimen) {
+  EXPECT_EQ(verdict([](Specimen&) {}), "valid");
+  EXPECT_EQ(verdict([](Specimen& s) {
+              s.inclusions.clear();
+              s.rings.clear();
+              s.itz = {specimen::ItzMode::none, 0, 3};
+            }),
+            "valid");
+}
+
+TEST(Validate, ChecksTheMask) {
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.labels = {}; }), "labels: 0 x 0 pixels; must be at least 1 x 1");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.labels.rows = s.mask.labels.cols = 20'000; }),
+            "labels: 20000 x 20000 pixels; must be at most 200000000");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.labels.data.pop_back(); }),
+            "labels: 47 values; must be one for each of 6 x 8 pixels");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.labels(4, 7) = 6; }),
+            "labels: 6 at row 4, column 7; must be below 6, the number of phases");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.pixel_size = 0; }), "pixel_size: 0.000000 m; must be > 0");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.pixel_size = nan; }), "pixel_size: nan m; must be > 0");
+}
+
+TEST(Validate, ChecksThePhaseNames) {
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.phases.clear(); }), "phases: 0 names; must be 1 to 256");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.phases.resize(257, "x"); }),
+            "phases: 257 names; must be 1 to 256");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.phases[4] = ""; }),
+            "phases: an empty name; every phase needs a name");
+  EXPECT_EQ(verdict([](Specimen& s) { s.mask.phases[4] = "itz"; }),
+            "phases: 'itz' twice; every phase needs a name of its own");
+}
+
+TEST(Validate, ChecksTheInclusions) {
+  EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[1].id = 0; }), "inclusions[1].id: 0; must be >= 1");
+  EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[1].id = 7; }),
+            "inclusions[1].id: 7 was used before; must be an id of its own");
+  EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[0].ellipse.x = nan; }),
+            "inclusions[0].x: nan; must be a finite number");
+  EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[0].ellipse.b = 0; }),
+            "inclusions[0].b: 0.000000; must be > 0");
+  EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[0].area = -1; }),
+            "inclusions[0].area: -1.000000; must be > 0");
+  EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[1].contour[2].y = nan; }),
+            "inclusions[1].contour: not a number; must be finite numbers");
+}
+
+TEST(Validate, ChecksTheRings) {
+  EXPECT_EQ(verdict([](Specimen& s) { s.itz.segments = 2; }), "itz.segments: 2; must be >= 3");
+  EXPECT_EQ(verdict([](Specimen& s) { s.itz.thickness = -1; }),
+            "itz.thickness: -1.000000 m; must be >= 0 (0 = one pixel)");
+  EXPECT_EQ(verdict([](Specimen& s) { s.rings[0].inclusion = 1; }),
+            "rings[0].inclusion: 1; must be the id of an inclusion");
+  EXPECT_EQ(verdict([](Specimen& s) { s.rings[1].inclusion = 3; }),
+            "rings[1].inclusion: 3 has a ring already; must be one ring an inclusion");
+  EXPECT_EQ(verdict([](Specimen& s) { s.rings[1].vertices.pop_back(); }),
+            "rings[1].vertices: 2 corners; must be >= 3");
+  EXPECT_EQ(verdict([](Specimen& s) { s.rings[1].vertices[0].x = nan; }),
+            "rings[1].vertices: not a number; must be finite numbers");
 }
 
 }  // namespace specimen_test

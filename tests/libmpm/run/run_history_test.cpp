@@ -1,0 +1,176 @@
+#include "libmpm/run/run_history.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "libmpm/run/simulate.hpp"
+#include "libmpm/solver/lattice/cell_limit.hpp"
+#include "tests/libmpm/moving_scenes.hpp"
+#include "tests/libmpm/sample_scenes.hpp"
+
+namespace run_history_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// What a run that must go wrong says; what it kept goes to `kept`.
+std::string complaint(const mpm::Scene& scene, const mpm::Plan& plan, mpm::Result* kept = nullptr) {
+  try {
+    (void)mpm::simulate(scene, plan);
+  } catch (const mpm::Diverged& diverged) {
+    if (kept != nullptr) *kept = diverged.result;
+    return diverged.what();
+  }
+  ADD_FAILURE() << "a diverging run must not end as if it were good";
+  return {};
+}
+
+/// One stiff pixel in a soft block: nothing else bears less than the time step that is taken.
+mpm::Scene one_stiff_pixel() {
+  mpm::Scene scene = samples::unbreakable(samples::mortar_block(20, 20));
+  scene.phases[samples::aggregate]->young = 2000e9;
+  scene.labels(6, 13) = samples::aggregate;
+  scene.loading.stop_strain = 0.5;
+  return scene;
+}
+
+mpm::Plan too_long(const mpm::Scene& scene, double factor) {
+  mpm::Plan plan = mpm::plan(scene);
+  plan.dt = factor * mpm::cell_limit(scene, plan);
+  return plan;
+}
+
+TEST(DivergenceText, SaysWhatWhenWhereWhyAndTheCure) {
+  mpm::Scene scene = samples::mortar_block(20, 20);
+  scene.cfl = 1;
+  const mpm::Plan plan = too_long(scene, 2);
+  const std::string text = mpm::divergence_text(
+      scene, plan,
+      {"energy grows without work", 12, 3.5e-6, plan.dt, "the point of pixel (row 1, column 2)"});
+  EXPECT_THAT(text, HasSubstr("energy grows without work at step 12 (time 3.5e-06 s), "
+                              "worst at the point of pixel (row 1, column 2): the time step of "));
+  EXPECT_THAT(text, HasSubstr(" s is too long for this specimen; try a smaller solver.cfl: "
+                              "0.5 is safe for each of its cells"));
+}
+
+TEST(DivergenceText, LaysNoBlameOnATimeStepThatCellsBear) {
+  mpm::Scene scene = samples::mortar_block(20, 20);
+  const mpm::Plan plan = too_long(scene, 0.99);
+  const std::string text =
+      mpm::divergence_text(scene, plan, {"energy grows without work", 12, 0, plan.dt, ""});
+  EXPECT_THAT(text, HasSubstr("try a smaller solver.cfl"));
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("worst at")), Not(HasSubstr("is safe"))));
+}
+
+TEST(DivergenceText, NamesTheCflThatIsSafe) {
+  const mpm::Scene scene = one_stiff_pixel();
+  mpm::Plan plan = mpm::plan(scene);
+  plan.dt = 3 * mpm::cell_limit(scene, plan);
+  const std::string text = complaint(scene, plan);
+  const auto at = text.find("solver.cfl: ");
+  ASSERT_NE(at, std::string::npos) << text;
+  mpm::Scene cured = scene;
+  cured.cfl = std::stod(text.substr(at + 12));
+  // The plan's own step was made longer, not the cfl: the cure counts from the cfl and the step at hand.
+  const double factor = cured.cfl / scene.cfl;
+  EXPECT_LE(factor * plan.dt, mpm::cell_limit(scene, plan));
+  EXPECT_GT(factor * plan.dt, 0.9 * mpm::cell_limit(scene, plan));
+}
+
+// Whether it is seen by its energy, a few steps later, or only as numbers that are none, after a long stretch
+// without a look at the energy.
+TEST(Diverged, NamesTheStiffPointAndItsPhase) {
+  const mpm::Scene scene = one_stiff_pixel();
+  for (const std::int64_t steps_per_row : {10, 100'000}) {
+    mpm::Plan plan = too_long(scene, 1.5);
+    plan.steps = 1'000'000;
+    plan.steps_per_row = steps_per_row;
+    mpm::Result kept;
+    const std::string text = complaint(scene, plan, &kept);
+    EXPECT_THAT(text, HasSubstr(steps_per_row == 10 ? "energy grows without work at step "
+                                                    : "motion is not a number at step "));
+    EXPECT_THAT(text,
+                HasSubstr(steps_per_row == 10 ? "worst at the point of pixel (row 6, column 13), aggregate"
+                                              : "worst at the point of pixel (row "));
+    EXPECT_FALSE(kept.history.empty());
+    EXPECT_LT(kept.peak_stress, 1e9) << "nothing of what went wrong is kept";
+  }
+}
+
+TEST(Diverged, IsTheSameForAnyThreads) {
+  mpm::Scene scene = one_stiff_pixel();
+  std::string first;
+  for (const int threads : {1, 2, 3}) {
+    scene.threads = threads;
+    mpm::Plan plan = too_long(scene, 1.5);
+    plan.steps = plan.steps_per_row = 100'000;
+    const std::string text = complaint(scene, plan);
+    if (first.empty()) first = text;
+    EXPECT_EQ(text, first) << threads;
+  }
+}
+
+TEST(Diverged, NamesAMovingPointAndItsPhase) {
+  mpm::Scene scene = samples::soft_body(12, 12, 0.05, 0.3);
+  scene.loading.duration = 10;
+  scene.loading.initial_velocity_y = -1;
+  scene.motion.bottom = mpm::Edge::smooth_wall;
+  scene.motion.scheme = mpm::Scheme::usl;
+  scene.cfl = 1;
+  scene.local_damping = 0.99;
+  scene.history_rows = 1000;
+  const std::string text = complaint(scene, mpm::plan(scene));
+  EXPECT_THAT(text, HasSubstr("the point of pixel (row "));
+  EXPECT_THAT(text, HasSubstr("), soft"));
+  EXPECT_THAT(text, HasSubstr("try a smaller solver.cfl"));
+}
+
+/// One row of cells between the platens, so that all of it is strained alike, and breaks.
+mpm::Scene low_block(mpm::Kinematics kinematics) {
+  mpm::Scene scene = samples::mortar_block(2, 16);
+  scene.kinematics = kinematics;
+  for (auto& phase : scene.phases)
+    if (phase && phase->can_crack()) phase->tensile_scale = 1e5;
+  scene.loading.stop_strain = 0.02;
+  scene.loading.ramp_time = 0;  // a platen that gains speed feels the mass of what has failed
+  return scene;
+}
+
+TEST(Spent, EndsTheRunWhenNothingCarriesLoadAnyMore) {
+  for (const auto kinematics : {mpm::Kinematics::small_strain, mpm::Kinematics::moving}) {
+    const mpm::Result result = mpm::simulate(low_block(kinematics));
+    EXPECT_TRUE(result.nothing_carries);
+    EXPECT_EQ(result.stop, mpm::StopReason::drop);
+    EXPECT_EQ(result.tension_failures, 32);
+    EXPECT_LT(result.history.back().strain, 0.01);
+    EXPECT_LT(std::abs(result.history.back().stress), 1e-6 * result.peak_stress);
+  }
+}
+
+TEST(Spent, NotWhileAPointCarriesSomething) {
+  mpm::Scene scene = low_block(mpm::Kinematics::small_strain);
+  scene.damage.residual_stiffness = 1e-9;
+  EXPECT_FALSE(mpm::simulate(scene).nothing_carries);
+  scene.damage.residual_stiffness = 0;
+  scene.damage.crack_closure = mpm::CrackClosure::unilateral;
+  EXPECT_FALSE(mpm::simulate(scene).nothing_carries);
+  scene.damage.crack_closure = mpm::CrackClosure::off;
+  scene.labels(0, 3) = samples::aggregate;
+  const mpm::Result result = mpm::simulate(scene);
+  EXPECT_FALSE(result.nothing_carries);
+  EXPECT_EQ(result.stop, mpm::StopReason::strain);
+}
+
+TEST(Spent, ARunInFlightGoesOn) {
+  mpm::Scene scene = samples::soft_body(8, 8, 0.05);
+  scene.phases[samples::soft]->tensile_scale = 1e-3;
+  scene.loading.initial_velocity_y = -1;
+  scene.loading.duration = 0.02;
+  scene.motion.bottom = mpm::Edge::smooth_wall;
+  const mpm::Result result = mpm::simulate(scene);
+  EXPECT_EQ(result.stop, mpm::StopReason::time);
+  EXPECT_FALSE(result.nothing_carries);
+}
+
+}  // namespace run_history_test
