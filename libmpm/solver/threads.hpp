@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <istream>
 #include <thread>
 
 #ifdef __x86_64__
@@ -57,5 +58,7 @@ class Barrier {
 
 /// Cores that nothing else uses at this moment, >= 1; all of them where the system does not tell.
 [[nodiscard]] int idle_cores();
+/// The same for `cores` >= 1, from what Linux says in /proc/loadavg.
+[[nodiscard]] int idle_cores(std::istream& load, int cores);
 
 }  // namespace mpm

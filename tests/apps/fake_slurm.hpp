@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "apps/text/text_parts.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace test {
@@ -18,8 +19,8 @@ class FakeSlurm {
 
   /// A program that notes its arguments, and then runs `script`.
   void answer(const std::string& program, const std::string& script) {
-    write_text(folder_ / program,
-               "#!/bin/sh\necho \"$@\" >>" + (folder_ / (program + ".asked")) + "\n" + script + "\n");
+    write_text(folder_ / program, "#!/bin/sh\necho \"$@\" >>" +
+                                      app::shell_word(folder_ / (program + ".asked")) + "\n" + script + "\n");
     std::filesystem::permissions(folder_ / program, std::filesystem::perms::owner_all);
   }
   /// Arguments of each call, a line each; empty when it was not called.

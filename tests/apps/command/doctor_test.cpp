@@ -113,7 +113,8 @@ TEST(Machine, ReadsTheQuotaOfAContainer) {
 }
 
 TEST(Machine, SaysWhyAFolderCannotBeWrittenTo) {
-  EXPECT_EQ(app::why_not_writable("."), "");
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(app::why_not_writable(folder / ""), "");
   EXPECT_EQ(app::why_not_writable("/nothing/there"), "No such file or directory");
   EXPECT_THROW((void)app::free_disk("/nothing/there"), app::Rejected);
 }

@@ -48,6 +48,7 @@ TEST_F(View, CostsTheSolverNothingWhileNobodyLooks) {
 
 TEST_F(View, ShowsTheNextRowToWhoeverAsks) {
   EXPECT_TRUE(news(0).is_null());
+  const auto begin = std::chrono::steady_clock::now();
   EXPECT_TRUE(come_to(30));
   EXPECT_TRUE(come_to(31));
   EXPECT_EQ(copies_, 1) << "one question, one copy";
@@ -58,8 +59,11 @@ TEST_F(View, ShowsTheNextRowToWhoeverAsks) {
   EXPECT_TRUE(update.at("csv").is_null());
   EXPECT_EQ(update.at("charts").at("stress").at("series").at(0).at("x").size(), 30U);
   EXPECT_TRUE(news(1).is_null());
+  const bool soon = std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(500);
   EXPECT_TRUE(come_to(32));
-  EXPECT_EQ(copies_, 1) << "too soon for another look";
+  if (soon) {
+    EXPECT_EQ(copies_, 1) << "too soon for another look";
+  }
 }
 
 TEST_F(View, GivesThePageOnceThereIsARow) {
@@ -96,7 +100,7 @@ TEST_F(View, TellsTheEndToThoseWhoStillWatch) {
 TEST_F(View, WaitsForNobodyAtTheEnd) {
   const auto begin = std::chrono::steady_clock::now();
   view_.finish(run_.result, "The run has ended.");
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(400));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2)) << "its patience with readers";
 }
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "apps/system/processes.hpp"
+#include "apps/text/text_parts.hpp"
+#include "tests/specimen/temporary_folder.hpp"
 
 namespace slurm_job_test {
 
@@ -61,43 +61,30 @@ TEST(SlurmJob, ListsACommandATask) {
 class SlurmScript : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ =
-        fs::path(::testing::TempDir()) /
-        (std::string("slurm_script_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    write("scontrol", "#!/bin/sh\necho \"$@\" >" + (folder_ / "asked").string() + "\n");
+    test::write_text(folder_ / "scontrol",
+                     "#!/bin/sh\necho \"$@\" >" + app::shell_word(folder_ / "asked") + "\n");
     fs::permissions(folder_ / "scontrol", fs::perms::owner_all);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const char* name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-
-  std::string read(const char* name) {
-    std::ostringstream text;
-    text << std::ifstream(folder_ / name).rdbuf();
-    return text.str();
   }
 
   /// As task 4, beside a command that may send it signals.   @param study  what it runs.
   app::ProgramOutcome run(const std::string& study, const std::string& beside = "") {
-    write("job.sh", app::slurm_script(job_of({"sh", "-c", study, "study"})));
-    const std::string path = folder_.string();
+    test::write_text(folder_ / "job.sh", app::slurm_script(job_of({"sh", "-c", study, "study"})));
+    const std::string path = app::shell_word(folder_ / "");
     return app::run_other_program(
         {"sh", "-c",
          "cd " + path + "; export PATH=" + path +
-             ":$PATH SLURM_ARRAY_TASK_ID=4 SLURM_JOB_ID=77\nbash job.sh & job=$!\n" + beside +
+             ":\"$PATH\" SLURM_ARRAY_TASK_ID=4 SLURM_JOB_ID=77\nbash job.sh & job=$!\n" + beside +
              "\nwait $job"});
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(SlurmScript, RunsTheMembersOfItsTask) {
   const auto outcome = run("echo \"$@\"; exit 65");
   EXPECT_EQ(outcome.out, "--members 20:23 --jobs 2\n");
   EXPECT_EQ(outcome.code, 65);
-  EXPECT_EQ(read("asked"), "");
+  EXPECT_EQ(test::read_text(folder_ / "asked"), "");
 }
 
 /// Says when it can be sent signals, and ends on one.
@@ -111,16 +98,16 @@ std::string send(const char* signal) {
 }
 
 TEST_F(SlurmScript, QueuesItselfAgainWhenItsTimeIsNearlyUp) {
-  const auto outcome = run("cd " + folder_.string() + "; " + ends_on("USR1"), send("USR1"));
+  const auto outcome = run("cd " + app::shell_word(folder_ / "") + "; " + ends_on("USR1"), send("USR1"));
   EXPECT_EQ(outcome.out, "got USR1\n");
-  EXPECT_EQ(read("asked"), "requeue 77\n");
+  EXPECT_EQ(test::read_text(folder_ / "asked"), "requeue 77\n");
   EXPECT_EQ(outcome.code, 75);
 }
 
 TEST_F(SlurmScript, EndsForGoodWhenItIsCancelled) {
-  const auto outcome = run("cd " + folder_.string() + "; " + ends_on("TERM"), send("TERM"));
+  const auto outcome = run("cd " + app::shell_word(folder_ / "") + "; " + ends_on("TERM"), send("TERM"));
   EXPECT_EQ(outcome.out, "got TERM\n");
-  EXPECT_EQ(read("asked"), "");
+  EXPECT_EQ(test::read_text(folder_ / "asked"), "");
   EXPECT_EQ(outcome.code, 75);
 }
 

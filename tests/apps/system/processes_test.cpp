@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <string>
 
 #include "apps/text/complaint.hpp"
 
@@ -35,7 +37,10 @@ TEST(OtherProgram, ThatASignalEndedTellsWhich) {
   EXPECT_EQ(run_other_program({"sh", "-c", "kill -9 $$"}).code, 137);
 }
 
+/// In a PATH whose folders may be entered: the system would else say so of one that may not.
 TEST(OtherProgram, ThatIsNotThereIsNamed) {
+  const std::string before = std::getenv("PATH");
+  ::setenv("PATH", "/nothing/there", 1);
   try {
     (void)run_other_program({"no_such_program"});
     FAIL() << "nothing was thrown";
@@ -44,6 +49,7 @@ TEST(OtherProgram, ThatIsNotThereIsNamed) {
     EXPECT_STREQ(rejected.what(),
                  "no_such_program: No such file or directory; must be a program in the PATH");
   }
+  ::setenv("PATH", before.c_str(), 1);
 }
 
 TEST(OtherProgram, TellsWhereThisOneIs) {

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <sstream>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -49,21 +51,23 @@ TEST(Barrier, WakesThreadsThatHaveFallenAsleep) {
   EXPECT_EQ(wrong_places(3, 6, late), 0);
 }
 
+/// What /proc/loadavg says with so many tasks that run, this one among them.
+int idle_cores_with(const char* running, int cores) {
+  std::istringstream load(std::string("0.20 0.18 0.12 ") + running + "/480 11206\n");
+  return mpm::idle_cores(load, cores);
+}
+
 TEST(IdleCores, AreOneWhereEveryCoreIsBusy) {
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  std::atomic<bool> done{false};
-  std::vector<std::jthread> busy;
-  for (int i = 0; i < 3 * cores; ++i)
-    busy.emplace_back([&] {
-      while (!done) {
-      }
-    });
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  EXPECT_EQ(mpm::idle_cores(), 1);
-  done = true;
+  EXPECT_EQ(idle_cores_with("9", 8), 1);
+  EXPECT_EQ(idle_cores_with("100", 8), 1);
 }
 
 TEST(IdleCores, AreNoMoreThanThereAre) {
+  EXPECT_EQ(idle_cores_with("1", 8), 8);
+  EXPECT_EQ(idle_cores_with("3", 8), 6);
+  EXPECT_EQ(idle_cores_with("0", 8), 8) << "as where the tasks of others are not told";
+  std::istringstream nothing;
+  EXPECT_EQ(mpm::idle_cores(nothing, 8), 8);
   const int cores = mpm::idle_cores();
   EXPECT_GE(cores, 1);
   EXPECT_LE(cores, static_cast<int>(std::thread::hardware_concurrency()));
