@@ -151,8 +151,24 @@ def check_links():
             faults.append(f"apps/CMakeLists.txt: {room} links {sorted(found)}, the table says {sorted(wanted)}")
 
 
+def check_mirror():
+    """tests/ROOM/x_test.cpp tests ROOM/x.cpp or ROOM/x.hpp, and so does tests/ROOM/x_of_something_test.cpp."""
+    units = {room: {name.rpartition("/")[2].split(".")[0] for name in files
+                    if room_of(name) == room and name.endswith((".cpp", ".hpp", ".cpp.in"))} for room in rooms}
+    for name in files:
+        if not re.match(r"tests/.*_test\.cpp$", name) or name.startswith("tests/libmpm/verification/"):
+            continue
+        room = room_of(name)[len("tests/"):]
+        stem = name.rpartition("/")[2][:-len("_test.cpp")]
+        if room not in rooms:
+            faults.append(f"{name}: {room} is no room; the rooms are in tests/project/layering_test.py")
+        elif not any(stem == unit or stem.startswith(unit + "_") for unit in units[room]):
+            faults.append(f"{name}: mirrors no source: {room}/{stem}.cpp is not there, nor one whose name begins it")
+
+
 check_rooms()
 check_links()
+check_mirror()
 
 
 def look_for_cycle(name, path):

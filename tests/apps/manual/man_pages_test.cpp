@@ -8,8 +8,10 @@
 namespace man_pages_test {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 std::string page_of(const std::string& command) {
   return command_man_page(test::command_named(command), test::program_tree());
@@ -59,6 +61,40 @@ TEST(ManPages, OfScenesHoldsEveryKeyWithWhatItMayBe) {
           "\\fBvelocity\\fR \\fIVELOCITY\\fR\nof the top platen. Allowed: > 0. Default: \"0.05 m/s\".\n"));
   EXPECT_THAT(page, HasSubstr(".SS [phases.NAME]: Phases\n"));
   EXPECT_THAT(page, HasSubstr("# a scene\n[loading]\n.fi\n"));
+}
+
+TEST(Roff, TakesNoLetterForARequest) {
+  EXPECT_EQ(manual::roff("--a-b"), "\\-\\-a\\-b");
+  EXPECT_EQ(manual::roff(".toml's"), "\\&.toml\\(aqs");
+  EXPECT_EQ(manual::roff("'a"), "\\(aqa");
+  EXPECT_EQ(manual::roff("a\\b ^ ~ `"), "a\\eb \\(ha \\(ti \\(ga");
+  EXPECT_EQ(manual::bold("-o"), "\\fB\\-o\\fR");
+  EXPECT_EQ(manual::italic("DIR"), "\\fIDIR\\fR");
+}
+
+TEST(Roff, APageBeginsWithItsTitleAndItsName) {
+  const manual::ManPage page("mesopix-study-submit", 1, "leave it");
+  EXPECT_THAT(page.text(), StartsWith(".TH MESOPIX\\-STUDY\\-SUBMIT 1 \"\" \"mesopix "));
+  EXPECT_THAT(page.text(), EndsWith("\n.SH NAME\nmesopix\\-study\\-submit \\- leave it\n"));
+}
+
+TEST(Roff, LongTextIsBrokenBetweenItsWords) {
+  manual::ManPage page("a", 5, "b");
+  page.section("S");
+  page.paragraph(std::string(77, 'x') + " .toml y");
+  EXPECT_THAT(page.text(), EndsWith(std::string(77, 'x') + "\n\\&.toml y\n"));
+}
+
+TEST(Roff, ParagraphsAreSetApartButFromTheirHeading) {
+  manual::ManPage page("a", 5, "b");
+  page.section("FIRST");
+  page.paragraph("one");
+  page.paragraph("two");
+  page.subsection("Second");
+  page.item("term", "text");
+  page.verbatim({"x", "", ".y"});
+  EXPECT_THAT(page.text(), EndsWith(".SH FIRST\none\n.PP\ntwo\n.SS Second\n.TP\nterm\ntext\n"
+                                    ".PP\n.RS 4\n.nf\nx\n\\&\n\\&.y\n.fi\n.RE\n"));
 }
 
 }  // namespace man_pages_test

@@ -5,9 +5,11 @@
 
 #include "apps/scene/scene_file.hpp"
 #include "apps/settings/schema.hpp"
+#include "apps/text/complaint.hpp"
 
 namespace scene_text_test {
 
+using app::scene_differences;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -150,6 +152,32 @@ TEST(SceneText, TellsWhatEachSettingIs) {
   const std::string toml = app::scene_text({}, app::Extent::whole, ".");
   EXPECT_THAT(toml, HasSubstr("velocity = \"0.05 m/s\"            # of the top platen\n"));
   EXPECT_THAT(toml, HasSubstr("# smooth lets the specimen slide sideways, rough holds it (smooth|rough)\n"));
+}
+
+TEST(SceneDifferences, AreTheSettingsThatAreNotAllTheSame) {
+  const auto found =
+      scene_differences({"[loading]\nvelocity = 0.1\ndirection = \"tension\"\n[solver]\ncfl = 0.5\n",
+                         "[loading]\nvelocity = 0.2\ndirection = \"tension\"\n[solver]\ncfl = 0.5\n",
+                         "[loading]\nvelocity = 0.1\ndirection = \"tension\"\nextra = [1, 2]\n"});
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].key, "loading.extra");
+  EXPECT_EQ(found[0].values, (std::vector<std::string>{"", "", "[1, 2]"}));
+  EXPECT_EQ(found[1].key, "loading.velocity");
+  EXPECT_EQ(found[1].values, (std::vector<std::string>{"0.1", "0.2", "0.1"}));
+  EXPECT_EQ(found[2].key, "solver.cfl");
+  EXPECT_EQ(found[2].values.back(), "");
+}
+
+TEST(SceneDifferences, OfTheSameScenesAreNone) {
+  EXPECT_TRUE(scene_differences({"[a]\nb = 1\n", "[a]\nb = 1\n"}).empty());
+}
+
+TEST(SceneDifferences, RefusesWhatIsNoScene) {
+  EXPECT_THROW((void)scene_differences({"[a", "[a]"}), app::Rejected);
+  std::string deep = "a = ";
+  for (int i = 0; i < 100'000; ++i) deep += '[';
+  EXPECT_THROW((void)scene_differences({deep, "[a]"}), app::Rejected)
+      << "a parser that calls itself would crash";
 }
 
 }  // namespace scene_text_test

@@ -1,7 +1,6 @@
 #include "apps/study/study_run.hpp"
 
 #include <gtest/gtest.h>
-
 #include <fstream>
 
 #include "apps/job/job.hpp"
@@ -10,7 +9,7 @@
 #include "libmpm/files/result_file.hpp"
 #include "tests/apps/small_study.hpp"
 
-namespace member_checkpoints_test {
+namespace study_run_checkpoints_test {
 
 namespace fs = std::filesystem;
 using namespace app;
@@ -96,4 +95,4 @@ TEST_F(MemberCheckpointsTest, GoOnceTheResultIsKept) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
-}  // namespace member_checkpoints_test
+}  // namespace study_run_checkpoints_test

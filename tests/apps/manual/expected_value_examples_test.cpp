@@ -2,7 +2,6 @@
 /// the options are for.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <CLI/CLI.hpp>
 #include <regex>
 
@@ -11,7 +10,7 @@
 #include "apps/manual/expected_value.hpp"
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace examples_test {
+namespace expected_value_examples_test {
 
 using manual::Command;
 
@@ -127,4 +126,4 @@ TEST(Examples, WrongOnesWouldBeSeen) {
   EXPECT_THAT(complaint_about("mesopix plott a"), HasSubstr("did you mean plot?"));
 }
 
-}  // namespace examples_test
+}  // namespace expected_value_examples_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace help_text_test {
+namespace command_tree_help_test {
 
 using testing::ElementsAre;
 using testing::SizeIs;
@@ -49,4 +49,4 @@ TEST(HelpText, CutsACommandAsAShellDoes) {
   EXPECT_THAT(manual::shell_words("mesopix a # b"), ElementsAre("mesopix", "a"));
 }
 
-}  // namespace help_text_test
+}  // namespace command_tree_help_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace study_line_test {
+namespace study_outcome_test {
 
 using app::study_text;
 
@@ -12,4 +12,4 @@ TEST(StudyLine, TellsCountFailuresAndTimeLeft) {
   EXPECT_EQ(study_text({100, 0, 9, 1}, 60), "10 of 100 members   1 failed   9 min left");
 }
 
-}  // namespace study_line_test
+}  // namespace study_outcome_test

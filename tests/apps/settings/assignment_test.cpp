@@ -1,7 +1,6 @@
 #include "apps/settings/assignment.hpp"
 
 #include <gtest/gtest.h>
-
 #include <filesystem>
 #include <new>
 
@@ -9,7 +8,7 @@
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
 
-namespace refusal_test {
+namespace assignment_test {
 
 using app::Exit;
 
@@ -46,4 +45,4 @@ TEST(Refusal, StandsWhereTheUserSetIt) {
                "scene.toml:3:7: solver.cfl: 2; must be <= 1");
 }
 
-}  // namespace refusal_test
+}  // namespace assignment_test
