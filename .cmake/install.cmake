@@ -19,6 +19,12 @@ if(MESOPIX_PROGRAM)
   install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT program
     PATTERN __pycache__ EXCLUDE)
   install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+  set(completions apps/command/completions)
+  install(FILES ${completions}/mesopix.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    RENAME mesopix COMPONENT program)
+  install(FILES ${completions}/_mesopix DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
+  install(FILES ${completions}/mesopix.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+    COMPONENT program)
 endif()
 
 # Shared libraries are found wherever the folder is moved; under /usr they are found as all others there.
@@ -69,10 +75,4 @@ if(TARGET manual)  # optional: who builds the target mesopix alone may install w
     install(DIRECTORY ${manual}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT program OPTIONAL
       FILES_MATCHING PATTERN "*.${section}")
   endforeach()
-  install(FILES ${manual}/completions/mesopix.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-    RENAME mesopix COMPONENT program OPTIONAL)
-  install(FILES ${manual}/completions/_mesopix DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
-    COMPONENT program OPTIONAL)
-  install(FILES ${manual}/completions/mesopix.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
-    COMPONENT program OPTIONAL)
 endif()

@@ -120,16 +120,12 @@ class CountLine {
 BenchCommand::BenchCommand(CLI::App& program)
     : Command(program, "bench", "Measure error against run time, stability, and what features cost",
               bench_footer) {
-  options().add_option("WHAT", what_, listed(benches()))->type_name("");
-  options()
-      .add_option("--problem", problems_, "error: problem to solve, e.g. bar; may be given again [all]")
-      ->type_name("NAME");
-  options()
-      .add_option("--case", cases_, "stability: case to run, e.g. contrast; may be given again [all]")
-      ->type_name("NAME");
-  options()
-      .add_option("-o,--output", output_, "folder [runs/bench-WHAT, runs/bench-WHAT-2, ...]")
-      ->type_name("DIR");
+  options().value("WHAT", what_, listed(benches()), one_of(benches()));
+  options().value("--problem", problems_, "error: problem to solve, e.g. bar; may be given again [all]",
+                  text_form("NAME"));
+  options().value("--case", cases_, "stability: case to run, e.g. contrast; may be given again [all]",
+                  text_form("NAME"));
+  options().value("-o,--output", output_, "folder [runs/bench-WHAT, runs/bench-WHAT-2, ...]", folder_form());
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--json", json_, "what was found as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");

@@ -66,29 +66,23 @@ CalibrateCommand::CalibrateCommand(CLI::App& program)
     : Command(program, "calibrate", "Fit parameters of a scene to a measured peak or curve",
               calibrate_footer),
       settings_(options(), offer_of_calibrate()) {
-  options().add_option("SCENE", input_, "scene.toml, where the search begins")->type_name("");
-  options()
-      .add_option("--peak-stress", wish_.peak_stress, "to be met by the mean of the seeds")
-      ->type_name("PRESSURE");
-  options()
-      .add_option("--peak-strain", wish_.peak_strain,
-                  "strain of the platens at that stress, 75e-6 or \"75 microstrain\"")
-      ->type_name("NUMBER");
-  options()
-      .add_option("--target", wish_.curve, "whole curve to be met, in place of a peak")
-      ->type_name("CURVE.csv");
-  options().add_option("--free", wish_.free, "what may change, see below")->type_name("PARAMETER,...");
-  options()
-      .add_option("--seeds", wish_.seeds,
-                  "runs of each set of parameters, with damage.seed and those after it [4]")
-      ->type_name("N");
-  options()
-      .add_option("--tolerance", wish_.tolerance, "misfit at which the search ends [0.5 %]")
-      ->type_name("NUMBER");
-  options()
-      .add_option("--max-evaluations", wish_.evaluations, "sets of parameters to try at most [100]")
-      ->type_name("N");
-  options().add_option("-o,--output", output_, "folder [runs/SCENE-calibration, ...]")->type_name("DIR");
+  options().value("SCENE", input_, "scene.toml, where the search begins", file_form({"toml"}));
+  options().value("--peak-stress", wish_.peak_stress, "to be met by the mean of the seeds",
+                  QuantityCodec{Dimension::pressure}.form());
+  options().value("--peak-strain", wish_.peak_strain,
+                  "strain of the platens at that stress, 75e-6 or \"75 microstrain\"",
+                  QuantityCodec().form());
+  options().value("--target", wish_.curve, "whole curve to be met, in place of a peak",
+                  file_form({"csv"}, "CURVE.csv"));
+  options().value("--free", wish_.free, "what may change, see below", text_form("PARAMETER,..."));
+  options().value("--seeds", wish_.seeds,
+                  "runs of each set of parameters, with damage.seed and those after it [4]",
+                  WholeNumberCodec().form());
+  options().value("--tolerance", wish_.tolerance, "misfit at which the search ends [0.5 %]",
+                  QuantityCodec().form());
+  options().value("--max-evaluations", wish_.evaluations, "sets of parameters to try at most [100]",
+                  WholeNumberCodec().form());
+  options().value("-o,--output", output_, "folder [runs/SCENE-calibration, ...]", folder_form());
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--json", json_, "calibration.json on standard output too");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");

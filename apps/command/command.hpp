@@ -31,7 +31,7 @@ class Command {
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
 
-  [[nodiscard]] CLI::App& options() { return options_; }
+  [[nodiscard]] Options& options() { return options_; }
 
   /// Arguments behind the name of the subcommand, as they may be handed to the parser.
   [[nodiscard]] virtual std::vector<std::string> prepare(const std::vector<std::string>& arguments) {
@@ -45,7 +45,7 @@ class Command {
   /// @param parent  the program, or the options of a command that has this one below it.
   Command(CLI::App& parent, const std::string& name, const std::string& description,
           const std::string& example)
-      : options_(*parent.add_subcommand(name, description)) {
+      : options_(Options::below(parent, name, description)) {
     options_.formatter(help_formatter());
     options_.set_help_flag("-h,--help", "show this help, and do no more");
     options_.footer(example);
@@ -53,7 +53,7 @@ class Command {
   }
 
  private:
-  CLI::App& options_;
+  Options& options_;
 };
 
 }  // namespace app

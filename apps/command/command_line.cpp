@@ -37,9 +37,21 @@ std::optional<LongOption> long_option(const std::string& argument) {
 }
 
 /// An option with one value whose text is read after parsing.
-CLI::Option* add_text_option(CLI::App& app, const std::string& names, const std::string& help) {
-  return app.add_option(names, CLI::callback_t([](const CLI::results_t&) { return true; }), help)
-      ->expected(1);
+CLI::Option* add_text_option(Options& options, const std::string& names, const std::string& help, Form form) {
+  const CLI::callback_t take = [](const CLI::results_t&) { return true; };
+  return options.expect(options.add_option(names, take, help)->expected(1), std::move(form));
+}
+
+/// What --set may begin with: "loading.velocity=".
+std::vector<std::string> keys_of(const Offer& offer) {
+  std::vector<std::string> keys;
+  for (const Field& field : fields())
+    if (offer.has(field.key)) keys.push_back(field.key + "=");
+  if (!offer.is_own("phases")) return keys;
+  for (const mpm::Phase& phase : Settings().phases)
+    for (const PhaseField& property : phase_fields())
+      keys.push_back("phases." + phase.name + "." + property.key + "=");
+  return keys;
 }
 
 class Formatter : public CLI::Formatter {
@@ -86,37 +98,64 @@ class Formatter : public CLI::Formatter {
 
 }  // namespace
 
-SettingOptions::SettingOptions(CLI::App& app, Offer offer) : offer_(std::move(offer)) {
-  set_ = add_text_option(app, "--set", "any setting by its key in scene files");
-  set_->type_name("KEY=VALUE")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+Options& Options::below(CLI::App& parent, const std::string& name, const std::string& description) {
+  const auto options = std::make_shared<Options>(name, description, &parent);
+  parent.add_subcommand(options);
+  return *options;
+}
+
+CLI::Option* Options::expect(CLI::Option* option, Form form) {
+  option->type_name(option->get_positional() ? "" : type(form));
+  forms_[option] = std::move(form);
+  return option;
+}
+
+Form form_of(const CLI::App& command, const CLI::Option& option) {
+  const auto* options = dynamic_cast<const Options*>(&command);
+  if (options != nullptr)
+    if (const auto found = options->forms_.find(&option); found != options->forms_.end())
+      return found->second;
+  return BooleanCodec::form();
+}
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& letter : option.get_snames()) names.push_back("-" + letter);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+SettingOptions::SettingOptions(Options& options, Offer offer) : offer_(std::move(offer)) {
+  Form key_and_value = text_form("KEY=VALUE");
+  key_and_value.hints = keys_of(offer_);
+  set_ = add_text_option(options, "--set", "any setting by its key in scene files", std::move(key_and_value));
+  set_->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   for (const Group& group : groups()) {
-    if (offer_.is_own(group.name)) add_group(app, group, true);
-    if (among(offer_.others, group.name)) add_group(app, group, false);
+    if (offer_.is_own(group.name)) add_group(options, group, true);
+    if (among(offer_.others, group.name)) add_group(options, group, false);
   }
 }
 
-void SettingOptions::add_group(CLI::App& app, const Group& group, bool in_help) {
-  if (group.name == "phases" && in_help) add_phase_help(app, group);
+void SettingOptions::add_group(Options& options, const Group& group, bool in_help) {
+  if (group.name == "phases" && in_help) add_phase_help(options, group);
   for (const Field& field : fields())
-    if (group_of(field.key) == group.name && offer_.has(field.key)) add_field(app, group, field, in_help);
+    if (group_of(field.key) == group.name && offer_.has(field.key)) add_field(options, group, field, in_help);
 }
 
-void SettingOptions::add_field(CLI::App& app, const Group& group, const Field& field, bool in_help) {
+void SettingOptions::add_field(Options& options, const Group& group, const Field& field, bool in_help) {
   std::string names = "--" + with_dashes(field.key);
   if (in_help) names = "--" + short_option(group, field) + "," + names;
   static const Settings defaults;
   const std::string help = described(field.help, default_text(field.get(defaults)));
-  CLI::Option* option =
-      field.form.kind == Kind::boolean ? app.add_flag(names, help) : add_text_option(app, names, help);
-  if (field.form.kind != Kind::boolean) option->type_name(type(field.form));
+  CLI::Option* option = field.form.kind == Kind::boolean ? options.add_flag(names, help)
+                                                         : add_text_option(options, names, help, field.form);
   option->group(in_help ? group.title : "")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   bound_.push_back({field, option});
 }
 
-void SettingOptions::add_phase_help(CLI::App& app, const Group& group) {
+void SettingOptions::add_phase_help(Options& options, const Group& group) {
   for (const PhaseField& property : phase_fields())
-    add_text_option(app, "--PHASE." + with_dashes(property.key), property.help)
-        ->type_name(type(property.form))
+    add_text_option(options, "--PHASE." + with_dashes(property.key), property.help, property.form)
         ->group(group.title + " (PHASE = aggregate, mortar, itz, or one of your own)");
 }
 

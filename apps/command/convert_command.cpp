@@ -43,16 +43,13 @@ nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specime
 ConvertCommand::ConvertCommand(CLI::App& program)
     : Command(program, "convert", "Turn a picture into a specimen", convert_footer),
       settings_(options(), offer_of_convert()) {
-  options()
-      .add_option("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one")
-      ->type_name("");
-  options()
-      .add_option("-o,--output", output_, "specimen file (.h5) or label picture [PICTURE with .h5]")
-      ->type_name("FILE");
-  options()
-      .add_option("--reference", reference_,
-                  "label picture to compare with: intersection over union per phase")
-      ->type_name("LABELS");
+  options().value("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one",
+                  file_form(picture_endings({"toml"})));
+  options().value("-o,--output", output_, "specimen file (.h5) or label picture [PICTURE with .h5]",
+                  file_form(picture_endings({"h5"})));
+  options().value("--reference", reference_,
+                  "label picture to compare with: intersection over union per phase",
+                  file_form(picture_endings(), "LABELS"));
   options().add_flag("--json", json_, "figures as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }

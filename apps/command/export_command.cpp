@@ -135,15 +135,12 @@ fs::path folder_of_maps(const fs::path& wanted, const std::string& result_file) 
 ExportCommand::ExportCommand(CLI::App& program)
     : Command(program, "export", "Write a specimen or a run in the format of another program",
               export_footer) {
-  options().add_option("INPUT", input_, "specimen.h5, or folder of a run")->type_name("");
-  options().add_option("--to", format_, "format")->type_name("inp|msh|vti|png|tif|csv|roi");
-  options()
-      .add_option("-o,--output", output_,
-                  "file, or folder where INPUT is a run [beside INPUT, under its name]")
-      ->type_name("FILE");
-  options()
-      .add_option("--plane", plane_, "inp: elements of plane stress (CPS4) or plane strain (CPE4) [stress]")
-      ->type_name("stress|strain");
+  options().value("INPUT", input_, "specimen.h5, or folder of a run", file_form({"h5"}));
+  options().value("--to", format_, "format", one_of(format_names()));
+  options().value("-o,--output", output_,
+                  "file, or folder where INPUT is a run [beside INPUT, under its name]", file_form());
+  options().value("--plane", plane_, "inp: elements of plane stress (CPS4) or plane strain (CPE4) [stress]",
+                  one_of({"stress", "strain"}));
   options().add_flag("--json", json_, "the files and their format as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }

@@ -22,11 +22,10 @@ constexpr const char* generate_footer =
 GenerateCommand::GenerateCommand(CLI::App& program)
     : Command(program, "generate", "Draw random or listed ellipses as a specimen", generate_footer),
       settings_(options(), offer_of_generate()) {
-  options().add_option("[SCENE]", scene_, "scene.toml whose specimen to draw")->type_name("");
-  options()
-      .add_option("-o,--output", output_,
-                  "specimen file (.h5) or label picture (.png, .tif, .bmp, .pgm) [specimen.h5]")
-      ->type_name("FILE");
+  options().value("[SCENE]", scene_, "scene.toml whose specimen to draw", file_form({"toml"}));
+  options().value("-o,--output", output_,
+                  "specimen file (.h5) or label picture (.png, .tif, .bmp, .pgm) [specimen.h5]",
+                  file_form(picture_endings({"h5"})));
   options().add_flag("--json", json_, "figures as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }

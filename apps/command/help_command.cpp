@@ -28,11 +28,24 @@ const CLI::App& command_below(const CLI::App& parent, const std::string& name, c
                            did_you_mean(word, names)));
 }
 
+/// Commands below one, and those below them.
+std::vector<std::string> names_below(const CLI::App& parent) {
+  std::vector<std::string> names;
+  for (const CLI::App* below : parent.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(below->get_name());
+    const std::vector<std::string> deeper = names_below(*below);
+    names.insert(names.end(), deeper.begin(), deeper.end());
+  }
+  return names;
+}
+
 }  // namespace
 
 HelpCommand::HelpCommand(CLI::App& program)
     : Command(program, "help", "Tell how a command is used, as --help behind it does", help_footer) {
-  options().add_option("[COMMAND]", words_, "name of a command, and of one below it")->type_name("");
+  Form command = text_form("COMMAND");
+  command.hints = names_below(program);
+  options().value("[COMMAND]", words_, "name of a command, and of one below it", std::move(command));
 }
 
 Exit HelpCommand::run(Console& console) {

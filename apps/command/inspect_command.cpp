@@ -146,7 +146,8 @@ std::string figures_text(const Json& figures) {
 InspectCommand::InspectCommand(CLI::App& program)
     : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture",
               inspect_footer) {
-  options().add_option("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture")->type_name("");
+  options().value("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture",
+                  file_form(picture_endings({"h5"})));
   options().add_flag("--json", json_, "as JSON");
 }
 

@@ -82,8 +82,7 @@ class PlotCommand : public Command {
     CLI::Option* option;
     std::vector<std::string> fits;
   };
-  void add(const char* name, std::string& text, const char* type, const char* help,
-           std::vector<std::string> fits);
+  void add(const char* name, std::string& text, Form form, const char* help, std::vector<std::string> fits);
   void check_fit() const;
 
   std::vector<Special> special_;

@@ -121,24 +121,24 @@ std::string bytes_of(const output::Drawing& drawing, Format format) {
 PlotCommand::PlotCommand(CLI::App& program)
     : Command(program, "plot", "Draw damage, stress or the curve of a run for a paper or a slide",
               plot_footer) {
-  options().add_option("RUN", run_, "folder of a run")->type_name("");
-  options().add_option("--what", what_, "what to draw [damage]")->type_name("damage|stress|curve");
-  add("--at", at_, "STRAIN", "strain, or share of the peak strain, of damage or stress [100%peak]",
+  options().value("RUN", run_, "folder of a run", folder_form());
+  options().value("--what", what_, "what to draw [damage]", one_of({"damage", "stress", "curve"}));
+  add("--at", at_, text_form("STRAIN"), "strain, or share of the peak strain, of damage or stress [100%peak]",
       {"damage", "stress"});
-  add("--look", look_, "grey|colour", "of damage; grey is as in the paper [grey]", {"damage"});
-  add("--component", component_, "yy|xx|xy|first|third|mises", "of stress [yy]", {"stress"});
-  add("--range", range_, "LOW:HIGH|auto", "of the colours of stress, as \"-5:5 MPa\" [auto]", {"stress"});
-  options()
-      .add_option("-o,--output", output_, "the picture: .png, .svg or .pdf [WHAT.png]")
-      ->type_name("FILE");
+  add("--look", look_, one_of({"grey", "colour"}), "of damage; grey is as in the paper [grey]", {"damage"});
+  add("--component", component_, one_of({"yy", "xx", "xy", "first", "third", "mises"}), "of stress [yy]",
+      {"stress"});
+  add("--range", range_, text_form("LOW:HIGH", {"auto"}), "of the colours of stress, as \"-5:5 MPa\" [auto]",
+      {"stress"});
+  options().value("-o,--output", output_, "the picture: .png, .svg or .pdf [WHAT.png]",
+                  file_form({"png", "svg", "pdf"}));
   options().add_flag("--json", json_, "the file and what it shows as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
-void PlotCommand::add(const char* name, std::string& text, const char* type, const char* help,
+void PlotCommand::add(const char* name, std::string& text, Form form, const char* help,
                       std::vector<std::string> fits) {
-  CLI::Option* option = options().add_option(name, text, help)->type_name(type);
-  special_.push_back({option, std::move(fits)});
+  special_.push_back({options().value(name, text, help, std::move(form)), std::move(fits)});
 }
 
 /// An option that changes nothing was meant for something else.

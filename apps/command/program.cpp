@@ -8,6 +8,7 @@
 
 #include "apps/command/command.hpp"
 #include "apps/command/command_line.hpp"
+#include "apps/command/completion.hpp"
 #include "apps/command/doctor.hpp"
 #include "apps/command/help_command.hpp"
 #include "apps/command/output_commands.hpp"
@@ -72,6 +73,10 @@ class Program {
     if (arguments.empty()) {
       console.err << with_headings(root_.help(), console.err_is_coloured);
       return Exit::usage;
+    }
+    if (arguments.front() == "complete") {  // shells ask this, nobody types it
+      console.out << completions(root_, {arguments.begin() + 1, arguments.end()});
+      return Exit::ok;
     }
     try {
       return parsed(arguments).run(console);

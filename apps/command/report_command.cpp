@@ -80,8 +80,8 @@ nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& r
 
 ReportCommand::ReportCommand(CLI::App& program)
     : Command(program, "report", "Lay several runs over each other on one page", report_footer) {
-  options().add_option("RUN", runs_, "folders of runs, or their result.h5")->type_name("");
-  options().add_option("-o,--output", output_, "the page [comparison.html]")->type_name("FILE");
+  options().value("RUN", runs_, "folders of runs, or their result.h5", file_form({"h5"}));
+  options().value("-o,--output", output_, "the page [comparison.html]", file_form({"html"}));
   options().add_flag("--json", json_, "key figures and differences as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }

@@ -103,18 +103,18 @@ Exit SceneCommand::run(Console& console) {
 
 SceneInitCommand::SceneInitCommand(CLI::App& scene)
     : Command(scene, "init", "Write a scene to begin with", footer_of_init) {
-  options().add_option("[FILE]", argument_, "to write [scene.toml]")->type_name("");
-  options().add_option("-o,--output", output_, "the same as FILE")->type_name("FILE");
+  options().value("[FILE]", argument_, "to write [scene.toml]", file_form({"toml"}));
+  options().value("-o,--output", output_, "the same as FILE", file_form({"toml"}));
   options().add_flag("--overwrite", overwrite_, "replace a file that is there already");
-  options().add_option("--picture", picture_, "the specimen is made from this picture")->type_name("FILE");
-  options().add_option("--width", width_, "of the picture; by default as its file says")->type_name("LENGTH");
-  options().add_option("--specimen", specimen_, "the specimen is this file, specimen.h5")->type_name("FILE");
-  options()
-      .add_option("--loading", loading_, "what is done to it [tension]")
-      ->type_name(type(find_field("loading.direction")->form));
-  options()
-      .add_option("--schema", schema_, "write the JSON Schema into this file, and its name into the scene")
-      ->type_name("FILE");
+  options().value("--picture", picture_, "the specimen is made from this picture",
+                  file_form(picture_endings()));
+  options().value("--width", width_, "of the picture; by default as its file says",
+                  QuantityCodec{Dimension::length}.form());
+  options().value("--specimen", specimen_, "the specimen is this file, specimen.h5", file_form({"h5"}));
+  options().value("--loading", loading_, "what is done to it [tension]",
+                  find_field("loading.direction")->form);
+  options().value("--schema", schema_, "write the JSON Schema into this file, and its name into the scene",
+                  file_form());
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }
 
@@ -167,7 +167,7 @@ Exit SceneInitCommand::run(Console& console) {
 
 SceneCheckCommand::SceneCheckCommand(CLI::App& scene)
     : Command(scene, "check", "Tell all that is wrong with scenes and studies", footer_of_check) {
-  options().add_option("FILE...", files_, "scene.toml, or study.toml")->type_name("");
+  options().value("FILE...", files_, "scene.toml, or study.toml", file_form({"toml"}));
   options().add_flag("--json", json_, "mistakes as a list in JSON");
   options().add_flag("-q,--quiet", quiet_, "say nothing of files in which nothing is wrong");
 }

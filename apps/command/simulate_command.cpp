@@ -55,8 +55,9 @@ SimulateCommand::SimulateCommand(CLI::App& program)
     : Command(program, "simulate", "Break a specimen, and write what happened into a folder",
               simulate_footer),
       settings_(options(), offer_of_simulate()) {
-  options().add_option("[INPUT]", input_, "specimen.h5, scene.toml or picture")->type_name("");
-  options().add_option("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]")->type_name("DIR");
+  options().value("[INPUT]", input_, "specimen.h5, scene.toml or picture",
+                  file_form(picture_endings({"h5", "toml"})));
+  options().value("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]", folder_form());
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");
   options().add_flag("--explain", explain_,
@@ -64,25 +65,22 @@ SimulateCommand::SimulateCommand(CLI::App& program)
   options().add_flag(
       "--estimate-error", estimate_error_,
       "say how wrong the peak may be, from runs at another rate, step, precision and pixel size");
-  options()
-      .add_option(
-          "--tolerance", tolerance_,
-          "choose the rate, the step and the precision that keep the error of the peak stress below this, "
-          "e.g. \"1 %\"")
-      ->type_name("RATIO");
-  options()
-      .add_option("--checkpoint-every", checkpoint_every_,
-                  "wall time after which a run is kept to go on from, e.g. \"60 s\"; no part of the scene")
-      ->type_name("TIME");
-  options()
-      .add_option(
-          "--resume", resume_,
-          "go on with the run in a folder, from its last checkpoint; the result is the same to the last bit")
-      ->type_name("DIR");
+  options().value(
+      "--tolerance", tolerance_,
+      "choose the rate, the step and the precision that keep the error of the peak stress below this, "
+      "e.g. \"1 %\"",
+      text_form("RATIO"));
+  options().value("--checkpoint-every", checkpoint_every_,
+                  "wall time after which a run is kept to go on from, e.g. \"60 s\"; no part of the scene",
+                  QuantityCodec{Dimension::time}.form());
+  options().value(
+      "--resume", resume_,
+      "go on with the run in a folder, from its last checkpoint; the result is the same to the last bit",
+      folder_form());
   options().add_flag("--serve", serve_,
                      "show the report in a browser on this machine while the run goes on, with a button that "
                      "stops it; the address is printed");
-  options().add_option("--port", port_, "of --serve on 127.0.0.1 [any that is free]")->type_name("NUMBER");
+  options().value("--port", port_, "of --serve on 127.0.0.1 [any that is free]", QuantityCodec().form());
   options().add_flag("--json", json_, "summary as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
 }

@@ -56,17 +56,15 @@ std::string study_footer() {
 StudyCommand::StudyCommand(CLI::App& program)
     : Command(program, "study", "Run a scene many times, with other seeds and values", study_footer()) {
   input_.add_to(options());
-  options().add_option("--jobs", jobs_, "members at a time [one a core]")->type_name("N");
-  options()
-      .add_option(
-          "--until-ci", until_ci_,
-          "more seeds until the 95 % confidence interval of the mean peak stress is within this share "
-          "of it, e.g. \"2 %\"")
-      ->type_name("RATIO");
-  options()
-      .add_option("--members", members_,
-                  "only those from number I to before J, and no table: for several machines")
-      ->type_name("I:J");
+  options().value("--jobs", jobs_, "members at a time [one a core]", WholeNumberCodec().form());
+  options().value(
+      "--until-ci", until_ci_,
+      "more seeds until the 95 % confidence interval of the mean peak stress is within this share "
+      "of it, e.g. \"2 %\"",
+      text_form("RATIO"));
+  options().value("--members", members_,
+                  "only those from number I to before J, and no table: for several machines",
+                  text_form("I:J"));
   options().add_flag("--retry", retry_, "run members again that have failed before");
   options().add_flag("--json", json_, "number of members and mean peak as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");

@@ -22,7 +22,7 @@ namespace app {
 /// The arguments STUDY and -o of a command.
 class StudyInput {
  public:
-  void add_to(CLI::App& options);
+  void add_to(Options& options);
 
   /// After parsing.   @throws Rejected (Exit::usage) for a study that is missing or is something else.
   void check() const;

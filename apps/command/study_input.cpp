@@ -9,10 +9,10 @@ namespace app {
 
 namespace fs = std::filesystem;
 
-void StudyInput::add_to(CLI::App& options) {
-  options.add_option("STUDY", file_, "study.toml; mesopix study --help shows what stands in it")
-      ->type_name("");
-  options.add_option("-o,--output", folder_, "folder [runs/STUDY]")->type_name("DIR");
+void StudyInput::add_to(Options& options) {
+  options.value("STUDY", file_, "study.toml; mesopix study --help shows what stands in it",
+                file_form({"toml"}));
+  options.value("-o,--output", folder_, "folder [runs/STUDY]", folder_form());
 }
 
 void StudyInput::check() const {

@@ -69,15 +69,13 @@ StudySubmitCommand::StudySubmitCommand(CLI::App& study)
   options().add_flag("--slurm", slurm_, "submit an array job with sbatch");
   options().add_flag("--commands", commands_, "print a command a line, for GNU parallel and the like");
   options().add_flag("--dry-run", dry_run_, "with --slurm: write the script, and submit nothing");
+  options().value("--chunk", chunk_, "members a task [10, or as many as make 1000 tasks]",
+                  WholeNumberCodec().form());
+  options().value("--jobs", jobs_, "members at a time, each on a core of its own, in a task [1]",
+                  WholeNumberCodec().form());
   options()
-      .add_option("--chunk", chunk_, "members a task [10, or as many as make 1000 tasks]")
-      ->type_name("N");
-  options()
-      .add_option("--jobs", jobs_, "members at a time, each on a core of its own, in a task [1]")
-      ->type_name("N");
-  options()
-      .add_option("--sbatch", sbatch_, "option for sbatch, as --sbatch=--time=1:00:00; may be repeated")
-      ->type_name("OPTION")
+      .value("--sbatch", sbatch_, "option for sbatch, as --sbatch=--time=1:00:00; may be repeated",
+             text_form("OPTION"))
       ->take_all();
   options().add_flag("--json", json_, "with --slurm: the job as JSON on standard output");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");

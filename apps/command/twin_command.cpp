@@ -46,28 +46,25 @@ std::vector<TwinRecord> make(const TwinTask& task, const fs::path& folder, const
 TwinCommand::TwinCommand(CLI::App& program)
     : Command(program, "twin", "Draw random specimens that are like a picture", twin_footer),
       settings_(options(), offer_of_twin()) {
-  options()
-      .add_option("PICTURE", input_, "picture, specimen.h5 or scene.toml of the original")
-      ->type_name("");
-  options().add_option("-n,--count", wish_.count, "number of twins [10]")->type_name("N");
-  options()
-      .add_option("--seed", wish_.seed, "of the first twin; the others have those after it [1]")
-      ->type_name("N");
-  options().add_option("--twin-width", wish_.width, "of the twins [as the original]")->type_name("LENGTH");
-  options().add_option("--twin-height", wish_.height, "of the twins [as the original]")->type_name("LENGTH");
-  options()
-      .add_option("--twin-pixel-size", wish_.pixel_size, "of the twins [as the original]")
-      ->type_name("LENGTH");
-  options()
-      .add_option("--gap", wish_.gap,
-                  "least distance of aggregates; auto = as those of the original keep [auto]")
-      ->type_name("LENGTH|auto");
-  options()
-      .add_option("--border", wish_.border,
+  options().value("PICTURE", input_, "picture, specimen.h5 or scene.toml of the original",
+                  file_form(picture_endings({"h5", "toml"})));
+  options().value("-n,--count", wish_.count, "number of twins [10]", WholeNumberCodec().form());
+  options().value("--seed", wish_.seed, "of the first twin; the others have those after it [1]",
+                  WholeNumberCodec().form());
+  options().value("--twin-width", wish_.width, "of the twins [as the original]",
+                  QuantityCodec{Dimension::length}.form());
+  options().value("--twin-height", wish_.height, "of the twins [as the original]",
+                  QuantityCodec{Dimension::length}.form());
+  options().value("--twin-pixel-size", wish_.pixel_size, "of the twins [as the original]",
+                  QuantityCodec{Dimension::length}.form());
+  options().value("--gap", wish_.gap,
+                  "least distance of aggregates; auto = as those of the original keep [auto]",
+                  QuantityCodec{Dimension::length, {}, Word{"auto"}}.form());
+  options().value("--border", wish_.border,
                   "cut = that of a saw cut, which cuts aggregates; whole = a wall, which keeps them inside; "
-                  "auto = as that of the original [auto]")
-      ->type_name("auto|cut|whole");
-  options().add_option("-o,--output", output_, "folder [runs/PICTURE-twins, ...]")->type_name("DIR");
+                  "auto = as that of the original [auto]",
+                  one_of({"auto", "cut", "whole"}));
+  options().value("-o,--output", output_, "folder [runs/PICTURE-twins, ...]", folder_form());
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--json", json_, "statistics.json on standard output too");
   options().add_flag("-q,--quiet", quiet_, "say nothing but errors");

@@ -1,10 +1,11 @@
 #include "apps/manual/command_tree.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <optional>
 #include <sstream>
+
+#include "apps/command/command_line.hpp"
 
 namespace manual {
 namespace {
@@ -100,18 +101,13 @@ std::vector<std::string> shell_words(const std::string& line) {
 
 namespace {
 
-Option option_of(const CLI::Option& option) {
-  Option made;
-  for (const std::string& letter : option.get_snames()) made.names.push_back("-" + letter);
-  for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
-  if (option.get_items_expected_max() != 0) made.type = option.get_type_name();
-  made.help = option.get_description();
-  made.group = option.get_group();
-  // A setting takes all of its values too, to refuse a second one with its name; those have a key, with a
-  // dot.
-  const bool setting = made.names.back().find('.') != std::string::npos;
-  made.repeatable = !setting && (option.get_items_expected_max() > 1 ||
-                                 option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll);
+Option option_of(const CLI::App& app, const CLI::Option& option) {
+  Option made{
+      app::names_of(option), {}, app::form_of(app, option), option.get_description(), option.get_group()};
+  if (made.names.size() > 1 && made.names.back().find('.') != std::string::npos) {
+    made.by_key = made.names.back();
+    made.names.pop_back();
+  }
   return made;
 }
 
@@ -136,8 +132,10 @@ Command tree(const CLI::App& app, std::vector<std::string> words) {
   for (const CLI::Option* option : app.get_options())
     if (option->get_positional())
       made.arguments.push_back(argument_of(*option));
-    else
-      made.options.push_back(option_of(*option));
+    else if (!option->get_group().empty())
+      made.options.push_back(option_of(app, *option));
+  for (const Option& option : made.options)
+    if (option.names.front() == "--set") made.keys = option.form.hints;
   for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
     made.below.push_back(tree(*below, made.words));
   return made;
@@ -163,9 +161,13 @@ std::string joined(const Command& command, const std::string& between) {
 std::vector<std::string> option_groups(const Command& command) {
   std::vector<std::string> groups;
   for (const Option& option : command.options)
-    if (!option.group.empty() && std::find(groups.begin(), groups.end(), option.group) == groups.end())
-      groups.push_back(option.group);
+    if (std::find(groups.begin(), groups.end(), option.group) == groups.end()) groups.push_back(option.group);
   return groups;
+}
+
+std::string option_by_key(const Command& command) {
+  const std::string& key = command.keys.back();
+  return "--" + app::with_dashes(key.substr(0, key.find('=')));
 }
 
 std::string synopsis(const Command& command) {

@@ -1,10 +1,11 @@
 /// What the help of a command says at its end, taken apart: running text, lists and examples.
-/// The commands of the program with their options, as plain data for manual pages, completions and the
-/// reference.
+/// The commands of the program with their options, as plain data for manual pages and the reference.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "apps/settings/form.hpp"
 
 namespace manual {
 
@@ -46,11 +47,11 @@ class App;
 namespace manual {
 
 struct Option {
-  std::vector<std::string> names;  ///< "-o", "--output"; "--velocity", "--loading.velocity"
-  std::string type;                ///< "DIR", "smooth|rough"; empty = takes no value
+  std::vector<std::string> names;  ///< as the help shows them: "-o", "--output"
+  std::string by_key;              ///< of a setting: "--loading.velocity"
+  app::Form form;                  ///< what stands behind it
   std::string help;
-  std::string group;        ///< heading of the help; empty = understood and not listed there
-  bool repeatable = false;  ///< each one adds to those before it
+  std::string group;  ///< heading of the help
 };
 
 struct Argument {
@@ -66,7 +67,8 @@ struct Command {
   std::string group;               ///< heading among its neighbours
   std::string footer;              ///< what the help says at its end
   std::vector<Argument> arguments;
-  std::vector<Option> options;
+  std::vector<Option> options;    ///< that the help shows
+  std::vector<std::string> keys;  ///< of settings, which --set takes
   std::vector<Command> below;
 };
 
@@ -81,6 +83,9 @@ struct Command {
 
 /// Headings of its listed options in the order of the help.
 [[nodiscard]] std::vector<std::string> option_groups(const Command& command);
+
+/// One of its keys as an option, for a sentence on them: "--generate.width".   @pre there is a key.
+[[nodiscard]] std::string option_by_key(const Command& command);
 
 /// "mesopix report [OPTION...] RUN...".
 [[nodiscard]] std::string synopsis(const Command& command);

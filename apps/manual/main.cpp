@@ -1,10 +1,9 @@
-// Writes the manual pages, the completions of shells and the reference, from the options of the program and
+// Writes the manual pages and the reference, from the options of the program and
 // the schema of scenes.   Usage: mesopix_manual FOLDER SCENE.toml
 #include <filesystem>
 #include <iostream>
 
 #include "apps/command/program.hpp"
-#include "apps/manual/completions.hpp"
 #include "apps/manual/man_pages.hpp"
 #include "apps/manual/reference.hpp"
 #include "apps/system/files.hpp"
@@ -46,7 +45,6 @@ int main(int argc, char** argv) {
     const std::string scene = app::read_text_file(argv[2]);
     const manual::Command tree = program();
     write(folder / "man", manual::man_pages(tree, scene));
-    write(folder / "completions", manual::completions(tree));
     write(folder / "reference", manual::reference(tree, scene));
   } catch (const std::exception& error) {
     std::cerr << "mesopix_manual: " << error.what() << '\n';

@@ -6,7 +6,6 @@
 
 #include "apps/command/command.hpp"
 #include "apps/manual/command_tree.hpp"
-#include "apps/manual/expected_value.hpp"
 #include "apps/manual/setting_words.hpp"
 #include "apps/text/version.hpp"
 
@@ -109,11 +108,9 @@ constexpr const char* general = "Options";  // heading of the options that belon
 
 std::string term_of(const Option& option) {
   std::string term;
-  for (const std::string& name : option.names) {
-    if (name.find('.') != std::string::npos && !is_of_phases(option) && !term.empty()) continue;  // its key
-    term += (term.empty() ? "" : ", ") + bold(name);
-  }
-  return option.type.empty() ? term : term + " " + italic(option.type);
+  for (const std::string& name : option.names) term += (term.empty() ? "" : ", ") + bold(name);
+  const std::string type = app::type(option.form);
+  return type.empty() ? term : term + " " + italic(type);
 }
 
 void write(ManPage& page, const std::vector<Passage>& passages) {
@@ -155,7 +152,7 @@ void write_options(ManPage& page, const Command& command) {
     for (const Option& option : command.options)
       if (option.group == group) page.item(term_of(option), roff(option.help));
   }
-  if (keys_of(command).empty()) return;
+  if (command.keys.empty()) return;
   page.subsection("Settings by their keys");
   page.paragraph("Every setting of a scene that the command takes is also an option by its key, as " +
                  bold(option_by_key(command)) + ", and may be given with " + bold("--set") +
@@ -249,7 +246,7 @@ void write_types(ManPage& page) {
 void write_table(ManPage& page, const TableWords& table) {
   page.subsection("[" + table.name + "]: " + table.title);
   for (const SettingWords& setting : table.settings)
-    page.item(bold(app::leaf_of(setting.key)) + " " + italic(setting.type), described(setting));
+    page.item(bold(setting.key) + " " + italic(setting.type), described(setting));
 }
 
 std::vector<std::string> man_lines_of(const std::string& text) {

@@ -1,4 +1,4 @@
-# The target manual: pages, completions and reference in the build folder.
+# The target manual: pages and reference in the build folder.
 add_executable(mesopix_manual_writer manual/main.cpp)
 target_link_libraries(mesopix_manual_writer PRIVATE mesopix_manual mesopix_options)
 if(MESOPIX_EVIDENCE)
@@ -12,5 +12,5 @@ add_custom_command(OUTPUT ${manual}/written
   COMMAND mesopix_manual_writer ${manual} ${scene}
   COMMAND ${CMAKE_COMMAND} -E touch ${manual}/written
   DEPENDS mesopix_manual_writer ${scene}
-  COMMENT "Writing manual pages, completions and the reference")
+  COMMENT "Writing manual pages and the reference")
 add_custom_target(manual ALL DEPENDS ${manual}/written)

@@ -2,7 +2,6 @@
 
 #include "apps/command/command.hpp"
 #include "apps/manual/command_tree.hpp"
-#include "apps/manual/expected_value.hpp"
 #include "apps/manual/setting_words.hpp"
 
 namespace manual {
@@ -63,10 +62,9 @@ std::string markdown(const std::vector<Passage>& passages, const char* language)
 
 /// Those that the help lists, with the type, then the one by the key.
 std::string names_of(const Option& option) {
-  std::vector<std::string> names = listed_names(option);
-  if (!option.type.empty()) names.back() += " " + option.type;
-  for (const std::string& name : names_by_key(option))
-    if (name != option.names.front()) names.push_back(name);
+  std::vector<std::string> names = option.names;
+  if (const std::string type = app::type(option.form); !type.empty()) names.back() += " " + type;
+  if (!option.by_key.empty()) names.push_back(option.by_key);
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + code(name);
   return text;
@@ -94,7 +92,7 @@ std::string command_section(const Command& command) {
   std::string page = level + " " + joined(command, " ") + "\n\n" + plain(command.description) + ".\n\n";
   page += fenced("text", synopsis(command) + "\n") + markdown(text.notes, "text") + arguments_table(command);
   for (const std::string& group : option_groups(command)) page += options_table(command, group);
-  if (!keys_of(command).empty())
+  if (!command.keys.empty())
     page += "Every setting of a scene that the command takes is also an option by its key, as " +
             code(option_by_key(command)) + ", and may be given with " + code("--set") +
             "; the keys are those of [scene files](scene.md).\n\n";
@@ -119,8 +117,8 @@ std::string list_of_commands(const Command& program) {
 
 std::string setting_row(const SettingWords& setting) {
   std::string allowed = plain(setting.allowed);
-  return row({code(app::leaf_of(setting.key)), code(setting.type), code(setting.default_value), allowed,
-              plain(setting.help)});
+  return row(
+      {code(setting.key), code(setting.type), code(setting.default_value), allowed, plain(setting.help)});
 }
 
 }  // namespace

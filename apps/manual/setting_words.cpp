@@ -27,19 +27,25 @@ std::string default_of(const Value& value) {
   return empty ? std::string() : toml_text(value);
 }
 
-template <class Field, class Object>
-SettingWords words_of(const std::string& key, const Field& field, const Object& defaults) {
-  return {key, field.form.kind == app::Kind::boolean ? "true|false" : app::type(field.form),
-          default_of(field.get(defaults)), allowed_by(field.form), field.help};
+/// Of a property in each of the phases that there are by default: "40 GPa (aggregate), ..."; one alone where
+/// it is the same in all.
+std::string phase_defaults(const app::PhaseField& property) {
+  const std::vector<mpm::Phase> phases = app::Settings().phases;
+  const Value first = property.get(phases.front());
+  if (std::all_of(phases.begin(), phases.end(),
+                  [&](const auto& phase) { return property.get(phase) == first; }))
+    return toml_text(first);
+  std::string text;
+  for (const mpm::Phase& phase : phases)
+    text += (text.empty() ? "" : ", ") + toml_text(property.get(phase)) + " (" + phase.name + ")";
+  return text;
 }
 
-TableWords phases_table(const app::Group& group) {
-  TableWords table{"phases.NAME", group.title, {}};
-  for (const app::PhaseField& property : app::phase_fields()) {
-    table.settings.push_back(words_of("phases.NAME." + property.key, property, mpm::Phase()));
-    table.settings.back().default_value = phase_defaults(property);
-  }
-  return table;
+template <class Field>
+SettingWords words_of(const Field& field, std::string default_value) {
+  const bool is_switch = field.form.kind == app::Kind::boolean;
+  return {app::leaf_of(field.key), is_switch ? "true|false" : type(field.form), std::move(default_value),
+          allowed_by(field.form), field.help};
 }
 
 }  // namespace
@@ -48,49 +54,39 @@ std::vector<TableWords> scene_tables() {
   std::vector<TableWords> tables;
   const app::Settings defaults;
   for (const app::Group& group : app::groups()) {
-    if (group.name == "phases") {
-      tables.push_back(phases_table(group));
-      continue;
-    }
     tables.push_back({group.name, group.title, {}});
+    TableWords& table = tables.back();
     for (const app::Field& field : app::fields())
       if (app::group_of(field.key) == group.name)
-        tables.back().settings.push_back(words_of(field.key, field, defaults));
+        table.settings.push_back(words_of(field, default_of(field.get(defaults))));
+    if (group.name != "phases") continue;
+    table.name = "phases.NAME";
+    for (const app::PhaseField& property : app::phase_fields())
+      table.settings.push_back(words_of(property, phase_defaults(property)));
   }
   return tables;
-}
-
-std::string phase_defaults(const app::PhaseField& property) {
-  const std::vector<mpm::Phase> phases = app::Settings().phases;
-  const auto is_first = [&](const auto& phase) {
-    return property.get(phase) == property.get(phases.front());
-  };
-  if (std::all_of(phases.begin(), phases.end(), is_first)) return toml_text(property.get(phases.front()));
-  std::string text;
-  for (const mpm::Phase& phase : phases)
-    text += (text.empty() ? "" : ", ") + toml_text(property.get(phase)) + " (" + phase.name + ")";
-  return text;
 }
 
 std::vector<std::string> about_scenes() {
   return {
       "A scene says what is broken and how: where the specimen comes from, its phases, the loading, the "
-      "solver, "
-      "and what is kept. It is a file in TOML, called something.toml. Every setting has a default, so that "
-      "an "
-      "empty file is a scene too. mesopix simulate --print-scene prints a scene with all settings that have "
-      "an "
-      "effect, and every run keeps its own as scene.toml.",
-      "Quantities are texts with a unit, as \"0.05 m/s\"; ratios are numbers or texts like \"20 %\". Names "
-      "of "
-      "files are relative to the folder of the scene. A key that does not exist, a value that is not allowed "
+      "solver, and "
+      "what is kept. It is a file in TOML, called something.toml. Every setting has a default, so that an "
+      "empty file "
+      "is a scene too. mesopix simulate --print-scene prints a scene with all settings that have an effect, "
       "and "
-      "a setting that would have no effect are refused, with their line.",
+      "every run keeps its own as scene.toml.",
+      "Quantities are texts with a unit, as \"0.05 m/s\"; ratios are numbers or texts like \"20 %\". Names "
+      "of files "
+      "are relative to the folder of the scene. A key that does not exist, a value that is not allowed and a "
+      "setting "
+      "that would have no effect are refused, with their line.",
       "Every key is also an option of the commands that it concerns, as --loading.velocity \"0.1 m/s\", and "
-      "what "
-      "the command line says counts more than what the file says.",
+      "what the "
+      "command line says counts more than what the file says.",
       "The specimen is that of one of specimen.file, specimen.picture, specimen.ellipses and [[ellipses]]; "
-      "without them it is drawn at random by the settings of [generate].",
+      "without "
+      "them it is drawn at random by the settings of [generate].",
   };
 }
 
@@ -102,8 +98,8 @@ std::string about_ellipses() {
   return "Aggregates may stand in the scene itself, each a table [[ellipses]] with " +
          app::listed(required, "and") + ", and with " + app::listed(optional, "and") +
          " where it is not 0: the place of the centre from the bottom left corner, the semi-axes, of which a "
-         "is "
-         "the longer one, and the angle of a against x, counter-clockwise.";
+         "is the "
+         "longer one, and the angle of a against x, counter-clockwise.";
 }
 
 std::vector<TypeWords> quantity_types() {

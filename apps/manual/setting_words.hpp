@@ -9,7 +9,7 @@
 namespace manual {
 
 struct SettingWords {
-  std::string key;            ///< "loading.velocity"; "phases.NAME.young"
+  std::string key;            ///< in its table: "velocity"
   std::string type;           ///< "VELOCITY", "smooth|rough"; "true|false" of a switch
   std::string default_value;  ///< as TOML writes it; empty = none
   std::string allowed;        ///< "> 0", "in [0, 1)", "" where the type says it all
@@ -25,10 +25,6 @@ struct TableWords {
 
 /// All tables with all keys, in the order in which they are written.
 [[nodiscard]] std::vector<TableWords> scene_tables();
-
-/// The default of a property in each of the phases that there are by default: "40 GPa (aggregate), ..."; one
-/// alone where it is the same in all.
-[[nodiscard]] std::string phase_defaults(const app::PhaseField& property);
 
 /// Paragraphs on what a scene file is, and on ellipses that stand in it.
 [[nodiscard]] std::vector<std::string> about_scenes();

@@ -69,16 +69,12 @@ void say_verdicts(const reproduce::Reproduction& reproduction, Console& console)
 ReproduceCommand::ReproduceCommand(CLI::App& program)
     : Command(program, "reproduce", "Repeat the figures of the paper, and judge its claims",
               reproduce_footer) {
-  options()
-      .add_option("--figure", figures_, "figure of the paper, e.g. 12; may be given again [all]")
-      ->type_name("N");
+  options().value("--figure", figures_, "figure of the paper, e.g. 12; may be given again [all]",
+                  WholeNumberCodec().form());
   options().add_flag("--all", all_, "all figures");
+  options().value("-o,--output", output_, "folder [runs/reproduce, runs/reproduce-2, ...]", folder_form());
   options()
-      .add_option("-o,--output", output_, "folder [runs/reproduce, runs/reproduce-2, ...]")
-      ->type_name("DIR");
-  options()
-      .add_option("-j,--jobs", jobs_, "runs at a time [one a core]")
-      ->type_name("N")
+      .value("-j,--jobs", jobs_, "runs at a time [one a core]", WholeNumberCodec().form())
       ->check(CLI::Range(1, 1024));
   options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
   options().add_flag("--json", json_, "reproduction.json on standard output too");

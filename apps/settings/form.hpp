@@ -62,6 +62,7 @@ struct Form {
   std::optional<Bounds> whole = {};     ///< of a whole number
   std::optional<Items> items = {};      ///< of a list; without a pattern and whole numbers they are numbers
   std::vector<std::string> endings = {};  ///< of a file: "h5"; none = any
+  std::vector<std::string> hints = {};    ///< what may be typed too, of which the help shows nothing
 };
 
 /// As the help shows it: "VELOCITY", "smooth|rough", "LENGTH|auto"; empty of a switch.

@@ -63,12 +63,10 @@ def expect_files(name, met, *patterns, wanted=()):
 
 
 def texts():
-    """Manual pages and completions, of a build that has them."""
-    manual = build / "manual"
-    completions = {"mesopix.bash": "bash-completion/completions/mesopix", "_mesopix": "zsh/vendor-completions/_mesopix",
-                   "mesopix.fish": "fish/vendor_completions.d/mesopix.fish"}
-    return {f"share/man/man{page.suffix[1]}/{page.name}.gz" for page in (manual / "man").glob("*.[1-9]")} | {
-        f"share/{place}" for file, place in completions.items() if (manual / "completions" / file).exists()}
+    """Completions, and manual pages of a build that has them."""
+    return {f"share/man/man{page.suffix[1]}/{page.name}.gz" for page in (build / "manual/man").glob("*.[1-9]")} | {
+        "share/bash-completion/completions/mesopix", "share/zsh/vendor-completions/_mesopix",
+        "share/fish/vendor_completions.d/mesopix.fish"}
 
 
 def expect_contents(packages):

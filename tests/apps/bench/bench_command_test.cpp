@@ -19,6 +19,11 @@ class BenchCommand : public test::ProgramInFolder {
   BenchCommand() : ProgramInFolder("bench", app::evidence_commands()) {}
 };
 
+TEST_F(BenchCommand, ShellsCompleteWhatItMeasures) {
+  EXPECT_EQ(call({"complete", "bench", ""}), app::Exit::ok);
+  EXPECT_EQ(out_.str(), "error\nstability\nfeatures\n");
+}
+
 TEST_F(BenchCommand, WritesErrorsAgainstRunTime) {
   ASSERT_EQ(run({"error", "--problem", "flight"}), Exit::ok) << err_.str();
   EXPECT_THAT(out_.str(), HasSubstr("flight            5 %   "));

@@ -20,7 +20,7 @@ struct Parsed {
     app::refuse_remaining(command);
     given = settings.assignments();
   }
-  CLI::App command{"", "test"};
+  app::Options command{"test"};
   app::SettingOptions settings;
   std::vector<app::Assignment> given;
 };

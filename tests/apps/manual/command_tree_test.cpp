@@ -22,21 +22,27 @@ TEST(CommandTree, HoldsEveryCommandThoseBelowOthersToo) {
 
 TEST(CommandTree, KnowsAnOptionAsItsHelpDoes) {
   const manual::Option& platen = test::option_named(test::command_named("simulate"), "--platen");
-  EXPECT_THAT(platen.names, ElementsAre("--platen", "--loading.platen"));
-  EXPECT_EQ(platen.type, "smooth|rough");
+  EXPECT_THAT(platen.names, ElementsAre("--platen"));
+  EXPECT_EQ(platen.by_key, "--loading.platen");
+  EXPECT_EQ(type(platen.form), "smooth|rough");
   EXPECT_EQ(platen.group, "Loading");
-  EXPECT_FALSE(platen.repeatable);
   const manual::Option& quiet = test::option_named(test::command_named("simulate"), "-q");
   EXPECT_THAT(quiet.names, ElementsAre("-q", "--quiet"));
-  EXPECT_EQ(quiet.type, "");
+  EXPECT_EQ(type(quiet.form), "");
   EXPECT_EQ(quiet.help, "say nothing but errors");
 }
 
-TEST(CommandTree, KnowsWhatMayBeGivenAgainAndWhatIsHidden) {
-  EXPECT_TRUE(test::option_named(test::command_named("simulate"), "--set").repeatable);
-  EXPECT_TRUE(test::option_named(test::command_named("study submit"), "--sbatch").repeatable);
-  EXPECT_FALSE(test::option_named(test::command_named("simulate"), "--output").repeatable);
-  EXPECT_EQ(test::option_named(test::command_named("simulate"), "--generate.width").group, "");
+TEST(CommandTree, LeavesOutWhatTheHelpDoesNotShow) {
+  EXPECT_THROW((void)test::option_named(test::command_named("simulate"), "--generate.width"),
+               std::invalid_argument);
+  EXPECT_EQ(test::option_named(test::command_named("generate"), "--width").by_key, "--generate.width");
+}
+
+TEST(CommandTree, KeysAreThoseThatTheCommandTakes) {
+  EXPECT_THAT(test::command_named("simulate").keys,
+              IsSupersetOf({"loading.velocity=", "generate.width=", "phases.mortar.tensile_scale="}));
+  EXPECT_THAT(test::command_named("inspect").keys, testing::IsEmpty());
+  EXPECT_EQ(option_by_key(test::command_named("convert")), "--itz.segments");
 }
 
 TEST(CommandTree, KnowsArguments) {

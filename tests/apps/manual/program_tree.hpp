@@ -1,6 +1,8 @@
 /// The commands of the program, as the tool that writes the manual sees them.
 #pragma once
 
+#include <algorithm>
+
 #include "apps/command/program.hpp"
 #include "apps/manual/command_tree.hpp"
 #ifdef MESOPIX_EVIDENCE
@@ -36,8 +38,7 @@ inline const manual::Command& command_named(const std::string& words) {
 /// The option of that name, dashes included.
 inline const manual::Option& option_named(const manual::Command& command, const std::string& name) {
   for (const manual::Option& option : command.options)
-    for (const std::string& one : option.names)
-      if (one == name) return option;
+    if (std::find(option.names.begin(), option.names.end(), name) != option.names.end()) return option;
   throw std::invalid_argument("no option " + name);
 }
 

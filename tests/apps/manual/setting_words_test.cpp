@@ -11,7 +11,7 @@ using testing::HasSubstr;
 SettingWords words_of(const std::string& key) {
   for (const manual::TableWords& table : manual::scene_tables())
     for (const SettingWords& setting : table.settings)
-      if (setting.key == key) return setting;
+      if (table.name + "." + setting.key == key) return setting;
   throw std::invalid_argument("no setting " + key);
 }
 

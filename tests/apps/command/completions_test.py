@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""What the shells themselves complete. Usage: completions_test.py bash|zsh|fish COMPLETIONS_FOLDER
+"""What the shells themselves complete. Usage: completions_test.py bash|zsh|fish MESOPIX
 
 Exits with 77, which skips, where the shell is not installed."""
 import os, re, select, shlex, shutil, subprocess, sys, tempfile, time
 from pathlib import Path
 
-shell, completions = sys.argv[1], Path(sys.argv[2]).resolve()
+shell, program = sys.argv[1], Path(sys.argv[2]).resolve()
+completions = Path(__file__).resolve().parents[3] / "apps/command/completions"
+os.environ["PATH"] = f"{program.parent}:{os.environ['PATH']}"
 if shutil.which(shell) is None:
     print(f"{shell} is not installed")
     sys.exit(77)
@@ -30,11 +32,15 @@ cases = [
     ("mesopix plot runs --what ", {"damage", "stress", "curve"}, {"runs/"}),
     ("mesopix help sim", {"simulate"}, {"generate"}),
 ]
-in_one_word = [("mesopix simulate --platen=r", {"rough"}, {"smooth"})]  # of which each shell shows another part
-if shell == "bash":
-    cases += [("mesopix simulate --set loading.platen=", {"smooth", "rough"}, {"specimen.h5"}),
-              ("mesopix simulate --set loading.platen=r", {"rough"}, {"smooth"}),
-              ("mesopix simulate --platen=", {"smooth", "rough"}, {"specimen.h5"})]
+# Of these each shell shows another part.
+in_one_word = [
+    ("mesopix simulate --platen=r", {"rough"}, {"smooth"}),
+    ("mesopix simulate --platen=", {"smooth", "rough"}, {"specimen.h5"}),
+    ("mesopix simulate --set loading.platen=", {"smooth", "rough"}, {"specimen.h5"}),
+    ("mesopix simulate --set loading.platen=r", {"rough"}, {"smooth"}),
+    ("mesopix calibrate --target=", {"table.csv"}, {"specimen.h5"}),
+    ("mesopix simulate --output=", {"runs/"}, {"specimen.h5"}),
+]
 files = ("specimen.h5", "study.toml", "picture.png", "table.csv")
 
 
@@ -116,7 +122,9 @@ with tempfile.TemporaryDirectory() as name:
     complete = Zsh(hidden) if shell == "zsh" else {"bash": bash, "fish": fish}[shell]
     failures = 0
     for line, wanted, unwanted in cases + in_one_word:
-        found = {word.removeprefix("--platen=") for word in complete(line)} if "=r" in line else complete(line)
+        found = complete(line)
+        if (line, wanted, unwanted) in in_one_word:
+            found = {word.rpartition("=")[2] for word in found}
         if wanted - found or unwanted & found:
             failures += 1
             print(f"{line!r}: lacks {sorted(wanted - found)}, has {sorted(unwanted & found)}; all: {sorted(found)}")

@@ -7,10 +7,9 @@
 
 #include "apps/command/command_line.hpp"
 #include "apps/manual/command_tree.hpp"
-#include "apps/manual/expected_value.hpp"
 #include "tests/apps/manual/program_tree.hpp"
 
-namespace expected_value_examples_test {
+namespace command_tree_examples_test {
 
 using manual::Command;
 
@@ -27,33 +26,24 @@ std::optional<app::Field> setting_of(const CLI::Option& option) {
   return std::nullopt;
 }
 
-std::optional<app::Dimension> dimension_of(const std::string& type) {
-  using app::Dimension;
-  for (int i = 0; i <= static_cast<int>(Dimension::energy); ++i)
-    if (app::QuantityCodec{static_cast<Dimension>(i)}.form().name == type) return static_cast<Dimension>(i);
-  if (type == "NUMBER") return Dimension::ratio;
-  return std::nullopt;
-}
-
-/// Of an option that is no setting, by its type.   @throws app::Mistake.
-void read(const CLI::Option& option, const std::string& text) {
-  const std::string type = option.get_type_name();
-  const std::vector<std::string> words = manual::expected(manual::Option{{"--x"}, type, "", ""}).words;
-  if (const auto dimension = dimension_of(type))
-    (void)app::parse_quantity(text, *dimension);
-  else if (type == "N")
+/// Of an option that is no setting.   @throws app::Mistake.
+void read(const app::Form& form, const std::string& text) {
+  if (std::find(form.words.begin(), form.words.end(), text) != form.words.end()) return;
+  if (form.measure)
+    (void)app::parse_quantity(text, form.measure->dimension);
+  else if (form.whole)
     (void)app::WholeNumberCodec().read(app::from_command_line(app::Kind::integer, text));
-  else if (type == "I:J" && !std::regex_match(text, std::regex("[0-9]+:[0-9]+")))
+  else if (form.name == "I:J" && !std::regex_match(text, std::regex("[0-9]+:[0-9]+")))
     throw app::Mistake("must be I:J");
-  else if (type.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos && !words.empty() &&
-           std::find(words.begin(), words.end(), text) == words.end())
-    throw app::Mistake("must be " + type);
+  else if (form.kind == app::Kind::choice)
+    throw app::Mistake("must be " + type(form));
 }
 
-void read_results(const CLI::Option& option) {
+void read_results(const CLI::App& command, const CLI::Option& option) {
   if (option.get_positional() || option.get_items_expected_max() == 0) return;
   const std::optional<app::Field> setting = setting_of(option);
-  for (const std::string& text : option.results()) setting ? read(*setting, text) : read(option, text);
+  for (const std::string& text : option.results())
+    setting ? read(*setting, text) : read(app::form_of(command, option), text);
 }
 
 const CLI::App& deepest(const CLI::App& command) {
@@ -64,7 +54,7 @@ const CLI::App& deepest(const CLI::App& command) {
 void look_at(const CLI::App& command) {
   app::refuse_remaining(command);
   for (const CLI::Option* option : command.get_options()) {
-    read_results(*option);
+    read_results(command, *option);
     const bool may_be_left_out = option->get_name(true, false).front() == '[';
     if (option->get_positional() && !may_be_left_out && option->count() == 0)
       throw app::Mistake(option->get_name(true, false) + " is missing");
@@ -126,4 +116,4 @@ TEST(Examples, WrongOnesWouldBeSeen) {
   EXPECT_THAT(complaint_about("mesopix plott a"), HasSubstr("did you mean plot?"));
 }
 
-}  // namespace expected_value_examples_test
+}  // namespace command_tree_examples_test
