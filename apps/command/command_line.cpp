@@ -45,12 +45,8 @@ CLI::Option* add_text_option(Options& options, const std::string& names, const s
 /// What --set may begin with: "loading.velocity=".
 std::vector<std::string> keys_of(const Offer& offer) {
   std::vector<std::string> keys;
-  for (const Field& field : fields())
-    if (offer.has(field.key)) keys.push_back(field.key + "=");
-  if (!offer.is_own("phases")) return keys;
-  for (const mpm::Phase& phase : Settings().phases)
-    for (const PhaseField& property : phase_fields())
-      keys.push_back("phases." + phase.name + "." + property.key + "=");
+  for (const std::string& key : every_key(Settings()))
+    if (offer.has(key)) keys.push_back(key + "=");
   return keys;
 }
 
@@ -138,8 +134,8 @@ SettingOptions::SettingOptions(Options& options, Offer offer) : offer_(std::move
 
 void SettingOptions::add_group(Options& options, const Group& group, bool in_help) {
   if (group.name == "phases" && in_help) add_phase_help(options, group);
-  for (const Field& field : fields())
-    if (group_of(field.key) == group.name && offer_.has(field.key)) add_field(options, group, field, in_help);
+  for (const Field& field : fields_of(group.name))
+    if (offer_.has(field.key)) add_field(options, group, field, in_help);
 }
 
 void SettingOptions::add_field(Options& options, const Group& group, const Field& field, bool in_help) {
@@ -225,9 +221,8 @@ void refuse_remaining(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   if (among(known, "--PHASE.young"))
-    for (const mpm::Phase& phase : Settings().phases)
-      for (const PhaseField& property : phase_fields())
-        known.push_back("--" + phase.name + "." + with_dashes(property.key));
+    for (const std::string& key : every_key(Settings()))
+      if (group_of(key) == "phases") known.push_back("--" + with_dashes(key.substr(key.find('.') + 1)));
   std::vector<Complaint> complaints;
   const std::vector<std::string> remaining = command.remaining();
   // Behind an unknown option stands its value, which would be a confusing second complaint.

@@ -27,6 +27,8 @@ struct HelpText {
   std::vector<Passage> examples;  ///< from the line that begins with "Example" on
 };
 
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+
 /// Lines that begin with two blanks stay as they are; lines with more blanks inside are items of a list, and
 /// what is indented farther goes on with one; all others flow.
 [[nodiscard]] HelpText help_text(const std::string& footer);

@@ -1,13 +1,12 @@
 #include "apps/manual/man_pages.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <sstream>
 
 #include "apps/command/command.hpp"
 #include "apps/manual/command_tree.hpp"
 #include "apps/manual/setting_words.hpp"
 #include "apps/text/version.hpp"
+#include "apps/text/words.hpp"
 
 namespace manual {
 namespace {
@@ -31,12 +30,6 @@ std::string escaped(char letter) {
   }
 }
 
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
-
 /// In lines of less than 80 letters, none of which is a request; roff fills them anew.
 std::string wrapped(const std::string& formatted) {
   constexpr std::size_t longest = 78;
@@ -55,8 +48,8 @@ std::string wrapped(const std::string& formatted) {
 
 std::string heading(const std::string& name, int section, const std::string& about) {
   const std::string shelf = section == 1 ? "User Commands" : "File Formats";
-  return ".TH " + upper(roff(name)) + " " + std::to_string(section) + " \"\" \"mesopix " + app::version() +
-         "\" \"" + shelf + "\"\n.SH NAME\n" + roff(name) + " \\- " + roff(about) + "\n";
+  return ".TH " + app::upper(roff(name)) + " " + std::to_string(section) + " \"\" \"mesopix " +
+         app::version() + "\" \"" + shelf + "\"\n.SH NAME\n" + roff(name) + " \\- " + roff(about) + "\n";
 }
 
 }  // namespace
@@ -198,11 +191,10 @@ std::string command_man_page(const Command& command, const Command& program) {
   if (const std::size_t colon = about.find(": "); whole && colon != std::string::npos)
     about.erase(0, colon + 2);
   ManPage page(joined(command, "-"), 1, about);
-  about.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(about.front())));
   write_synopsis(page, command);
   const HelpText text = help_text(command.footer);
   page.section("DESCRIPTION");
-  page.paragraph(roff(about) + ".");
+  page.paragraph(roff(output::capitalised(about)) + ".");
   write(page, text.notes);
   write_commands(page, command);
   write_arguments(page, command);
@@ -249,13 +241,6 @@ void write_table(ManPage& page, const TableWords& table) {
     page.item(bold(setting.key) + " " + italic(setting.type), described(setting));
 }
 
-std::vector<std::string> man_lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 }  // namespace
 
 std::string scene_man_page(const std::string& scene) {
@@ -268,7 +253,7 @@ std::string scene_man_page(const std::string& scene) {
   page.subsection("[[ellipses]]");
   page.paragraph(roff(about_ellipses()));
   page.section("EXAMPLE");
-  page.verbatim(man_lines_of(scene));
+  page.verbatim(lines_of(scene));
   page.section("SEE ALSO");
   page.paragraph(bold("mesopix-simulate") + "(1),\n" + bold("mesopix-generate") + "(1),\n" +
                  bold("mesopix-convert") + "(1),\n" + bold("mesopix-calibrate") + "(1),\n" +

@@ -21,10 +21,8 @@ std::string allowed_by(const app::Form& form) {
 }
 
 std::string default_of(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value.data);
-  const auto* list = std::get_if<Value::List>(&value.data);
-  const bool empty = (text != nullptr && text->empty()) || (list != nullptr && list->empty());
-  return empty ? std::string() : toml_text(value);
+  const bool is_none = is_empty_text(value) || value == Value{Value::List()};
+  return is_none ? std::string() : toml_text(value);
 }
 
 /// Of a property in each of the phases that there are by default: "40 GPa (aggregate), ..."; one alone where
@@ -56,9 +54,8 @@ std::vector<TableWords> scene_tables() {
   for (const app::Group& group : app::groups()) {
     tables.push_back({group.name, group.title, {}});
     TableWords& table = tables.back();
-    for (const app::Field& field : app::fields())
-      if (app::group_of(field.key) == group.name)
-        table.settings.push_back(words_of(field, default_of(field.get(defaults))));
+    for (const app::Field& field : app::fields_of(group.name))
+      table.settings.push_back(words_of(field, default_of(field.get(defaults))));
     if (group.name != "phases") continue;
     table.name = "phases.NAME";
     for (const app::PhaseField& property : app::phase_fields())

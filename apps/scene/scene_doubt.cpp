@@ -51,8 +51,7 @@ void SceneDoubt::add(std::string_view key) {
 }
 
 void SceneDoubt::add_group(const std::string& group) {
-  for (const Field& field : fields())
-    if (group.empty() || group_of(field.key) == group) add(field.key);
+  for (const Field& field : group.empty() ? fields() : fields_of(group)) add(field.key);
   if (group.empty()) add("ellipses");
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "apps/settings/schema.hpp"
 #include "apps/system/hdf5_files.hpp"
@@ -16,21 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A setting that the scene gives, as its file writes it.
-struct Live {
-  std::string key;
-  Value value;
-};
-using LiveSettings = std::vector<Live>;
-
-Value text_value(const char* text) { return {std::string(text)}; }
+/// What the scene gives: keys with what the command line would say.
+using LiveSettings = std::vector<std::pair<std::string, std::string>>;
 
 /// A square of which every grain has some points, and which is solved in seconds.
 LiveSettings random_aggregates() {
-  return {{"generate.width", text_value("50 mm")},       {"generate.height", text_value("50 mm")},
-          {"generate.pixel_size", text_value("0.5 mm")}, {"generate.fraction", text_value("40 %")},
-          {"generate.d_min", text_value("4 mm")},        {"generate.d_max", text_value("12 mm")},
-          {"generate.seed", {std::int64_t{1}}}};
+  return {{"generate.width", "50 mm"},   {"generate.height", "50 mm"}, {"generate.pixel_size", "0.5 mm"},
+          {"generate.fraction", "40 %"}, {"generate.d_min", "4 mm"},   {"generate.d_max", "12 mm"},
+          {"generate.seed", "1"}};
 }
 
 constexpr int columns_of_first_run = 200;  // of a picture: enough to see grains, few enough for seconds
@@ -40,51 +34,50 @@ LiveSettings of_picture(const DraftWish& wish) {
   if (wish.width.empty() && !(picture.pixel_size > 0))
     throw Rejected(Exit::data, complaint(wish.picture, "does not tell its scale", "",
                                          "measure how wide what it shows is, and give --width \"40 mm\""));
-  LiveSettings live{{"specimen.picture", {wish.picture}}};
-  if (!wish.width.empty()) live.push_back({"convert.width", {wish.width}});
+  LiveSettings live{{"specimen.picture", wish.picture}};
+  if (!wish.width.empty()) live.emplace_back("convert.width", wish.width);
   if (picture.cols() > columns_of_first_run)
-    live.push_back({"convert.pixels", {std::int64_t{columns_of_first_run}}});
+    live.emplace_back("convert.pixels", std::to_string(columns_of_first_run));
   return live;
 }
 
 LiveSettings of_source(const DraftWish& wish) {
   if (!wish.picture.empty()) return of_picture(wish);
-  if (!wish.specimen.empty()) return {{"specimen.file", {wish.specimen}}};
+  if (!wish.specimen.empty()) return {{"specimen.file", wish.specimen}};
   return random_aggregates();
 }
 
-LiveSettings of_loading(mpm::Direction direction) {
-  switch (direction) {
-    case mpm::Direction::tension:
-      return {{"loading.direction", text_value("tension")},
-              {"loading.velocity", text_value("0.1 m/s")},
-              {"loading.stop_strain", {6e-4}},
-              {"loading.stop_drop", {0.2}}};
-    case mpm::Direction::compression:
-      return {{"loading.direction", text_value("compression")},
-              {"loading.velocity", text_value("0.5 m/s")},
-              {"loading.stop_strain", {4e-3}},
-              {"loading.stop_drop", {0.5}}};
-    case mpm::Direction::none:
-      return {
-          {"loading.direction", text_value("none")},    {"loading.initial_velocity_y", text_value("-10 m/s")},
-          {"loading.duration", text_value("0.5 ms")},   {"solver.kinematics", text_value("moving")},
-          {"motion.bottom", text_value("smooth_wall")}, {"motion.left", text_value("open")},
-          {"motion.right", text_value("open")},         {"motion.top", text_value("open")}};
-  }
-  return {};
-}
+struct DraftLoading {
+  const char* words;  ///< what is done to the specimen
+  LiveSettings settings;
+};
 
-const char* words_of(mpm::Direction direction) {
+DraftLoading loading_of(mpm::Direction direction) {
   switch (direction) {
     case mpm::Direction::tension:
-      return "in tension";
+      return {"in tension",
+              {{"loading.direction", "tension"},
+               {"loading.velocity", "0.1 m/s"},
+               {"loading.stop_strain", "6e-4"},
+               {"loading.stop_drop", "0.2"}}};
     case mpm::Direction::compression:
-      return "in compression";
+      return {"in compression",
+              {{"loading.direction", "compression"},
+               {"loading.velocity", "0.5 m/s"},
+               {"loading.stop_strain", "4e-3"},
+               {"loading.stop_drop", "0.5"}}};
     case mpm::Direction::none:
-      return "thrown against a wall";
+      break;
   }
-  return "";
+  return {"thrown against a wall",
+          {{"loading.direction", "none"},
+           {"loading.initial_velocity_y", "-10 m/s"},
+           {"loading.duration", "0.5 ms"},
+           {"solver.kinematics", "moving"},
+           {"motion.bottom", "smooth_wall"},
+           {"motion.left", "open"},
+           {"motion.right", "open"},
+           {"motion.top", "open"}}};
 }
 
 std::string subject(const DraftWish& wish, const char* without_file) {
@@ -97,9 +90,10 @@ class Draft {
  public:
   explicit Draft(const DraftWish& wish) : folder_(fs::path(wish.file).parent_path()) {
     give(of_source(wish));
-    give(of_loading(wish.direction));
-    give({{"damage.seed", {std::int64_t{1}}}, {"solver.cfl", {0.8}}});
-    give({{"output.title", {subject(wish, "Random aggregates") + " " + words_of(wish.direction)}}});
+    const DraftLoading loading = loading_of(wish.direction);
+    give(loading.settings);
+    give({{"damage.seed", "1"}, {"solver.cfl", "0.8"}});
+    give({{"output.title", subject(wish, "Random aggregates") + " " + loading.words}});
     if (!wish.specimen.empty()) add_phases(read_specimen(wish.specimen).mask.phases);
   }
 
@@ -113,14 +107,15 @@ class Draft {
 
  private:
   void give(const LiveSettings& settings) {
-    for (const Live& one : settings) {
+    for (const auto& [key, text] : settings) {
+      const Field field = *find_field(key);
       try {
-        find_field(one.key)->set(settings_, one.value);
+        field.set(settings_, from_command_line(field.form.kind, text));
       } catch (const Mistake& mistake) {
-        throw Rejected(Exit::usage, complaint("--" + leaf_of(one.key), toml_text(one.value), mistake.allowed,
-                                              mistake.cure));
+        throw Rejected(Exit::usage,
+                       complaint("--" + leaf_of(key), quoted(text), mistake.allowed, mistake.cure));
       }
-      given_.insert(one.key);
+      given_.insert(key);
     }
   }
 
@@ -155,17 +150,12 @@ class Draft {
     return lines.empty() ? "" : fmt::format("\n# {}\n[{}]\n{}", title, name, lines);
   }
 
-  static bool is_empty_text(const Value& value) {
-    const auto* text = std::get_if<std::string>(&value.data);
-    return text != nullptr && text->empty();
-  }
-
   [[nodiscard]] std::string group_lines(const std::string& group) const {
     static const Settings defaults;
     std::string lines;
-    for (const Field& field : fields()) {
+    for (const Field& field : fields_of(group)) {
       const bool given = given_.count(field.key) > 0;
-      if (group_of(field.key) != group || !why_unused(field.key, settings_).empty()) continue;
+      if (!why_unused(field.key, settings_).empty()) continue;
       const Value usual = field.get(defaults);
       Value value = given ? field.get(settings_) : usual;
       if (is_empty_text(value)) continue;  // there is nothing that could be shown
@@ -218,7 +208,7 @@ std::string scene_draft(const DraftWish& wish) {
              "with a unit, ratios numbers or\n"
              "# texts with %. Tables that have no effect on this scene are left out: mesopix simulate "
              "--help tells of all.\n",
-             version(), subject(wish, "random aggregates"), words_of(wish.direction), name, name) +
+             version(), subject(wish, "random aggregates"), loading_of(wish.direction).words, name, name) +
          draft.tables();
 }
 

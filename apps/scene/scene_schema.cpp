@@ -114,8 +114,7 @@ Json described(const FieldOf<T>& field) {
 
 /// The default of a text that is not given is none.
 void add_default(Json& schema, const Value& value) {
-  const auto* text = std::get_if<std::string>(&value.data);
-  if (text == nullptr || !text->empty()) schema["default"] = std::visit(ToJson{}, value.data);
+  if (!is_empty_text(value)) schema["default"] = std::visit(ToJson{}, value.data);
 }
 
 /// A table that has these keys and no others.
@@ -128,8 +127,7 @@ Json closed_table(const std::string& title, Json properties) {
 
 Json table_schema(const Group& group, const Settings& defaults) {
   Json properties = Json::object();
-  for (const Field& field : fields()) {
-    if (group_of(field.key) != group.name) continue;
+  for (const Field& field : fields_of(group.name)) {
     Json schema = described(field);
     add_default(schema, field.get(defaults));
     properties[leaf_of(field.key)] = std::move(schema);

@@ -17,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A text setting that was not given is left out: it has no default that could be written.
-bool is_empty_text(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value.data);
-  return text != nullptr && text->empty();
-}
-
 template <class T>
 std::string line(const FieldOf<T>& field, const Value& value) {
   const std::string setting = fmt::format("{} = {}", leaf_of(field.key), toml_text(value));
@@ -32,8 +26,8 @@ std::string line(const FieldOf<T>& field, const Value& value) {
 
 std::string group_lines(const std::string& group, const Settings& settings, const fs::path& folder) {
   std::string lines;
-  for (const Field& field : fields()) {
-    if (group_of(field.key) != group || !why_unused(field.key, settings).empty()) continue;
+  for (const Field& field : fields_of(group)) {
+    if (!why_unused(field.key, settings).empty()) continue;
     Value value = field.get(settings);
     if (is_empty_text(value)) continue;
     if (field.form.kind == Kind::path) value = relative_to(folder, value);

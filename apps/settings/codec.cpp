@@ -1,7 +1,6 @@
 #include "apps/settings/codec.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "apps/text/text_parts.hpp"
@@ -73,12 +72,6 @@ double read_dimensional(const Value& value, Dimension dimension) {
 
 std::vector<std::string> word_of(const std::optional<Word>& word) {
   return word ? std::vector{word->word} : std::vector<std::string>();
-}
-
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
 }
 
 }  // namespace

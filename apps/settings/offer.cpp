@@ -21,8 +21,8 @@ struct Named {
 std::vector<Named> short_names(const Offer& offer) {
   std::vector<Named> names;
   for (const Group& group : groups())
-    for (const Field& field : fields())
-      if (group_of(field.key) == group.name && offer.is_own(group.name) && offer.has(field.key))
+    for (const Field& field : fields_of(group.name))
+      if (offer.is_own(group.name) && offer.has(field.key))
         names.push_back({with_underscores(short_option(group, field)), field.key});
   return names;
 }

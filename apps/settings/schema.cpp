@@ -1,7 +1,8 @@
 #include "apps/settings/schema.hpp"
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
+#include <iterator>
 
 #include "apps/text/words.hpp"
 
@@ -24,28 +25,12 @@ std::vector<std::string> keys_of_group(const std::string& group) {
   std::vector<std::string> keys;
   if (group == "phases")
     for (const PhaseField& property : phase_fields()) keys.push_back(property.key);
-  for (const Field& field : fields())
-    if (group_of(field.key) == group) keys.push_back(leaf_of(field.key));
+  for (const Field& field : fields_of(group)) keys.push_back(leaf_of(field.key));
   return keys;
 }
 
-std::vector<std::string> every_key(const Settings& settings) {
-  std::vector<std::string> keys;
-  for (const Field& field : fields()) keys.push_back(field.key);
-  for (const mpm::Phase& phase : settings.phases)
-    for (const PhaseField& property : phase_fields())
-      keys.push_back("phases." + phase.name + "." + property.key);
-  return keys;
-}
-
-/// What drawn ellipses need, random or not.
-bool is_of_canvas(std::string_view key) {
-  return key == "generate.width" || key == "generate.height" || key == "generate.pixel_size";
-}
-
-bool is_of_curve(std::string_view key) {
-  return key == "generate.grading" || key == "generate.d_min" || key == "generate.d_max" ||
-         key == "generate.walraven";
+bool is_one_of(std::string_view key, std::initializer_list<std::string_view> keys) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
 /// Why the settings of a whole group have no effect on a specimen from this source.
@@ -57,16 +42,6 @@ std::string why_group_unused(const std::string& group, Source source) {
   if (group == "generate" && source == Source::ellipses) return "has no effect on given ellipses";
   if (group == "convert" && source != Source::picture) return "has an effect on pictures only";
   return {};
-}
-
-bool is_of_platens(std::string_view key) {
-  return key == "loading.velocity" || key == "loading.ramp_time" || key == "loading.platen" ||
-         key == "loading.separation" || key == "loading.stop_strain";
-}
-
-bool is_of_flight(std::string_view key) {
-  return key == "loading.initial_velocity_x" || key == "loading.initial_velocity_y" ||
-         key == "loading.duration" || key == "motion.bottom" || key == "motion.top";
 }
 
 /// Whether the grid reaches beyond an edge of the specimen.
@@ -85,8 +60,12 @@ std::string why_motion_unused(std::string_view key, const mpm::Scene& scene) {
     return "has an effect with solver.kinematics = \"moving\" or \"auto\" only";
   if (group == "handover" && scene.kinematics != mpm::Kinematics::automatic)
     return "has an effect with solver.kinematics = \"auto\" only";
-  if (flies && is_of_platens(key)) return "has no effect with loading.direction = \"none\"";
-  if (!flies && is_of_flight(key)) return "has an effect with loading.direction = \"none\" only";
+  if (flies && is_one_of(key, {"loading.velocity", "loading.ramp_time", "loading.platen",
+                               "loading.separation", "loading.stop_strain"}))
+    return "has no effect with loading.direction = \"none\"";
+  if (!flies && is_one_of(key, {"loading.initial_velocity_x", "loading.initial_velocity_y",
+                                "loading.duration", "motion.bottom", "motion.top"}))
+    return "has an effect with loading.direction = \"none\" only";
   if (key == "motion.flip_ratio" && scene.motion.transfer == mpm::Transfer::apic)
     return "has no effect with motion.transfer = \"apic\"";
   if (key == "motion.margin" && !has_margin(scene)) return "has no effect where no edge is closed or open";
@@ -105,13 +84,28 @@ bool is_group(std::string_view name) {
 }
 
 bool is_of_specimen(std::string_view key) {
-  constexpr std::array tables{"specimen", "ellipses", "generate", "convert", "itz"};
-  return std::find(tables.begin(), tables.end(), group_of(key)) != tables.end();
+  return is_one_of(group_of(key), {"specimen", "ellipses", "generate", "convert", "itz"});
 }
 
 bool is_phase_name(std::string_view name) {
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
   return !name.empty() && name.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+std::vector<Field> fields_of(std::string_view group) {
+  std::vector<Field> own;
+  std::copy_if(fields().begin(), fields().end(), std::back_inserter(own),
+               [&](const Field& field) { return group_of(field.key) == group; });
+  return own;
+}
+
+std::vector<std::string> every_key(const Settings& settings) {
+  std::vector<std::string> keys;
+  for (const Field& field : fields()) keys.push_back(field.key);
+  for (const mpm::Phase& phase : settings.phases)
+    for (const PhaseField& property : phase_fields())
+      keys.push_back("phases." + phase.name + "." + property.key);
+  return keys;
 }
 
 std::optional<Field> find_field(std::string_view key) {
@@ -143,21 +137,23 @@ Suggestion suggest_key(std::string_view key, const Settings& settings) {
 }
 
 bool decides_use(std::string_view key) {
-  constexpr std::array deciding{"specimen.file",     "specimen.picture", "specimen.ellipses",
-                                "ellipses",          "generate.classes", "loading.direction",
-                                "solver.kinematics", "motion.transfer",  "motion.left",
-                                "motion.right",      "motion.bottom",    "motion.top"};
-  return std::find(deciding.begin(), deciding.end(), key) != deciding.end();
+  return is_one_of(key, {"specimen.file", "specimen.picture", "specimen.ellipses", "ellipses",
+                         "generate.classes", "loading.direction", "solver.kinematics", "motion.transfer",
+                         "motion.left", "motion.right", "motion.bottom", "motion.top"});
 }
 
 std::string why_unused(std::string_view key, const Settings& settings) {
   const SpecimenChoice& choice = settings.specimen;
   const bool has_file = !choice.file.empty() || !choice.picture.empty() || !choice.ellipses.empty();
   if (key == "specimen.sha256" && !has_file) return "is that of a file, and none is given";
-  if (is_of_curve(key) && !settings.grading.classes.empty()) return "has no effect beside generate.classes";
+  if (!settings.grading.classes.empty() &&
+      is_one_of(key, {"generate.grading", "generate.d_min", "generate.d_max", "generate.walraven"}))
+    return "has no effect beside generate.classes";
   if (const std::string reason = why_motion_unused(key, settings.scene); !reason.empty()) return reason;
   const Source source = source_of(settings);
-  if (source == Source::ellipses && is_of_canvas(key)) return {};
+  if (source == Source::ellipses &&
+      is_one_of(key, {"generate.width", "generate.height", "generate.pixel_size"}))
+    return {};  // drawn ellipses need them, random or not
   return why_group_unused(group_of(key), source);
 }
 

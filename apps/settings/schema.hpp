@@ -50,6 +50,9 @@ struct Group {
 /// Every setting but those of the phases, group by group.
 [[nodiscard]] const std::vector<Field>& fields();
 
+/// Those of a table; of phases none.
+[[nodiscard]] std::vector<Field> fields_of(std::string_view group);
+
 /// The properties of each phase, [phases.NAME].
 [[nodiscard]] const std::vector<PhaseField>& phase_fields();
 
@@ -64,6 +67,9 @@ inline constexpr std::size_t most_phases = 255;
 
 /// Whether a table of scenes has this name; that of [[ellipses]] is a list.
 [[nodiscard]] bool is_group(std::string_view name);
+
+/// The keys of all settings, of those of the phases that there are too.
+[[nodiscard]] std::vector<std::string> every_key(const Settings& settings);
 
 /// For an unknown key: the one that it seems to be, or the keys of its table.
 [[nodiscard]] Suggestion suggest_key(std::string_view key, const Settings& settings);

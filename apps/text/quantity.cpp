@@ -356,6 +356,11 @@ struct Writer {
 
 }  // namespace
 
+bool is_empty_text(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  return text != nullptr && text->empty();
+}
+
 std::string toml_text(const Value& value) { return std::visit(Writer{}, value.data); }
 
 }  // namespace app

@@ -59,6 +59,9 @@ struct Value {
   friend bool operator==(const Value&, const Value&) = default;
 };
 
+/// A text setting that was not given has no default that could be shown.
+[[nodiscard]] bool is_empty_text(const Value& value);
+
 /// As TOML writes it, on one line.
 [[nodiscard]] std::string toml_text(const Value& value);
 

@@ -65,6 +65,12 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
   return result;
 }
 
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
 }  // namespace app
 
 namespace output {

@@ -21,6 +21,8 @@ namespace app {
 /// "a, b or c".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names, const char* last = "or");
 
+[[nodiscard]] std::string upper(std::string text);  ///< "length" -> "LENGTH"
+
 }  // namespace app
 
 namespace output {
