@@ -1,13 +1,19 @@
 #include "apps/evidence_commands.hpp"
 
+#ifdef MESOPIX_EVIDENCE
 #include "apps/bench/bench_command.hpp"
 #include "apps/reproduce/campaign.hpp"
+#endif
 
 namespace app {
 
 MoreCommands evidence_commands() {
+#ifdef MESOPIX_EVIDENCE
   return {[](CLI::App& program) { return std::make_unique<ReproduceCommand>(program); },
           [](CLI::App& program) { return std::make_unique<BenchCommand>(program); }};
+#else
+  return {};
+#endif
 }
 
 }  // namespace app

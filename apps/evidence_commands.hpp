@@ -1,4 +1,4 @@
-/// The commands that show what the program is worth: reproduce and bench. A build may go without them.
+/// The commands that show what the program is worth: reproduce and bench; none in a build without them.
 #pragma once
 
 #include "apps/command/program.hpp"

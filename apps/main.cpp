@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "apps/command/program.hpp"
+#include "apps/evidence_commands.hpp"
 #include "apps/system/processes.hpp"
 #include "apps/system/terminal.hpp"
-#ifdef MESOPIX_EVIDENCE
-#include "apps/evidence_commands.hpp"
-#endif
 
 namespace {
 
@@ -33,10 +31,5 @@ int main(int argc, char** argv) {
   app::Console console{
       std::cout, std::cerr, err.animated, false, {}, err.coloured, app::terminal_at(STDOUT_FILENO).coloured};
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-#ifdef MESOPIX_EVIDENCE
-  const app::MoreCommands more = app::evidence_commands();
-#else
-  const app::MoreCommands more;
-#endif
-  return static_cast<int>(app::run_program(arguments, console, more));
+  return static_cast<int>(app::run_program(arguments, console, app::evidence_commands()));
 }

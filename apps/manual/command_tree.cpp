@@ -1,7 +1,6 @@
 #include "apps/manual/command_tree.hpp"
 
 #include <algorithm>
-#include <iomanip>
 #include <optional>
 #include <sstream>
 
@@ -33,29 +32,25 @@ bool goes_on(const std::vector<Passage>& passages, const std::string& line) {
   return !passages.empty() && !passages.back().items.empty() && line.rfind(deep, 0) == 0;
 }
 
+/// Where more of the same kind goes: into the last passage, or into a new one.
+template <class Part>
+Part& last(std::vector<Passage>& passages, Part Passage::*part) {
+  if (passages.empty() || (passages.back().*part).empty()) passages.emplace_back();
+  return passages.back().*part;
+}
+
 void append_text(std::vector<Passage>& passages, const std::string& line) {
-  if (passages.empty() || passages.back().text.empty()) passages.emplace_back();
-  std::string& text = passages.back().text;
+  std::string& text = last(passages, &Passage::text);
   text += (text.empty() ? "" : " ") + line;
-}
-
-void append_verbatim(std::vector<Passage>& passages, const std::string& line) {
-  if (passages.empty() || passages.back().verbatim.empty()) passages.emplace_back();
-  passages.back().verbatim.push_back(line.substr(2));
-}
-
-void append_item(std::vector<Passage>& passages, const Item& item) {
-  if (passages.empty() || passages.back().items.empty()) passages.emplace_back();
-  passages.back().items.push_back(item);
 }
 
 void append_note(std::vector<Passage>& notes, const std::string& line) {
   if (goes_on(notes, line))
     notes.back().items.back().text += " " + without_blanks(line);
   else if (const auto item = item_in(line))
-    append_item(notes, *item);
+    last(notes, &Passage::items).push_back(*item);
   else if (line.rfind(blanks, 0) == 0)
-    append_verbatim(notes, line);
+    last(notes, &Passage::verbatim).push_back(line.substr(2));
   else
     append_text(notes, line);
 }
@@ -77,26 +72,11 @@ HelpText help_text(const std::string& footer) {
     if (!examples)
       append_note(text.notes, line);
     else if (line.rfind(blanks, 0) == 0)
-      append_verbatim(text.examples, line);
+      last(text.examples, &Passage::verbatim).push_back(line.substr(2));
     else
       append_text(text.examples, line);
   }
   return text;
-}
-
-std::vector<std::string> example_commands(const std::string& footer) {
-  std::vector<std::string> commands;
-  for (const std::string& line : lines_of(footer))
-    if (line.rfind("  mesopix ", 0) == 0) commands.push_back(line.substr(2));
-  return commands;
-}
-
-std::vector<std::string> shell_words(const std::string& line) {
-  std::vector<std::string> words;
-  std::istringstream stream(line);
-  const auto ends = [](const std::string& word) { return word == "|" || word == ">" || word == "#"; };
-  for (std::string word; stream >> std::quoted(word) && !ends(word);) words.push_back(word);
-  return words;
 }
 
 namespace {

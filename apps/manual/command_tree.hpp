@@ -33,13 +33,6 @@ struct HelpText {
 /// what is indented farther goes on with one; all others flow.
 [[nodiscard]] HelpText help_text(const std::string& footer);
 
-/// Each line that begins with "  mesopix ", without the blanks.
-[[nodiscard]] std::vector<std::string> example_commands(const std::string& footer);
-
-/// A command line cut into words as a shell does, up to a pipe, a > or a comment.
-/// @pre no other means of the shell than double quotes round whole words.
-[[nodiscard]] std::vector<std::string> shell_words(const std::string& line);
-
 }  // namespace manual
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a library's own

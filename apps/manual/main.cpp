@@ -4,28 +4,15 @@
 #include <iostream>
 
 #include "apps/command/program.hpp"
+#include "apps/evidence_commands.hpp"
 #include "apps/manual/man_pages.hpp"
 #include "apps/manual/reference.hpp"
 #include "apps/system/files.hpp"
 #include "libmpm/files/replace_file.hpp"
-#ifdef MESOPIX_EVIDENCE
-#include "apps/evidence_commands.hpp"
-#endif
 
 namespace {
 
 namespace fs = std::filesystem;
-
-manual::Command program() {
-#ifdef MESOPIX_EVIDENCE
-  const app::MoreCommands more = app::evidence_commands();
-#else
-  const app::MoreCommands more;
-#endif
-  manual::Command tree;
-  app::look_at_program([&](const CLI::App& root) { tree = manual::command_tree(root); }, more);
-  return tree;
-}
 
 void write(const fs::path& folder, const std::vector<manual::File>& files) {
   fs::remove_all(folder);  // a page of a command that is gone
@@ -43,7 +30,9 @@ int main(int argc, char** argv) {
   try {
     const fs::path folder = argv[1];
     const std::string scene = app::read_text_file(argv[2]);
-    const manual::Command tree = program();
+    manual::Command tree;
+    app::look_at_program([&](const CLI::App& root) { tree = manual::command_tree(root); },
+                         app::evidence_commands());
     write(folder / "man", manual::man_pages(tree, scene));
     write(folder / "reference", manual::reference(tree, scene));
   } catch (const std::exception& error) {

@@ -1,10 +1,6 @@
 # The target manual: pages and reference in the build folder.
 add_executable(mesopix_manual_writer manual/main.cpp)
-target_link_libraries(mesopix_manual_writer PRIVATE mesopix_manual mesopix_options)
-if(MESOPIX_EVIDENCE)
-  target_compile_definitions(mesopix_manual_writer PRIVATE MESOPIX_EVIDENCE)
-  target_link_libraries(mesopix_manual_writer PRIVATE mesopix_evidence)
-endif()
+target_link_libraries(mesopix_manual_writer PRIVATE mesopix_manual mesopix_evidence mesopix_options)
 
 set(manual ${PROJECT_BINARY_DIR}/manual)
 set(scene ${PROJECT_SOURCE_DIR}/data/two_aggregates.toml)

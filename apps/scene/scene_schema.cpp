@@ -105,10 +105,10 @@ std::string units_text(const Form& form) {
   return "; units " + listed(unit_names(form.measure->dimension), "and");
 }
 
-template <class T>
-Json described(const FieldOf<T>& field) {
-  Json schema{{"description", field.help + "; " + text(field.form) + units_text(field.form)}};
-  schema.update(schema_of(field.form));
+/// @param what  the value is, in front of what it may be.
+Json described(const std::string& what, const Form& form) {
+  Json schema{{"description", what + text(form) + units_text(form)}};
+  schema.update(schema_of(form));
   return schema;
 }
 
@@ -128,30 +128,28 @@ Json closed_table(const std::string& title, Json properties) {
 Json table_schema(const Group& group, const Settings& defaults) {
   Json properties = Json::object();
   for (const Field& field : fields_of(group.name)) {
-    Json schema = described(field);
+    Json schema = described(field.help + "; ", field.form);
     add_default(schema, field.get(defaults));
     properties[leaf_of(field.key)] = std::move(schema);
   }
   return closed_table(group.title, std::move(properties));
 }
 
-Json phase_schema(const std::string& title) {
+/// @param defaults  of a phase of concrete; nullptr = another one, which has none.
+Json phase_schema(const std::string& title, const mpm::Phase* defaults = nullptr) {
   Json properties = Json::object();
-  for (const PhaseField& property : phase_fields()) properties[property.key] = described(property);
+  for (const PhaseField& property : phase_fields()) {
+    Json schema = described(property.help + "; ", property.form);
+    if (defaults != nullptr) add_default(schema, property.get(*defaults));
+    properties[property.key] = std::move(schema);
+  }
   return closed_table(title, std::move(properties));
-}
-
-/// A phase of concrete has defaults.
-Json known_phase_schema(const mpm::Phase& phase) {
-  Json schema = phase_schema("Phase " + phase.name);
-  for (const PhaseField& property : phase_fields())
-    add_default(schema["properties"][property.key], property.get(phase));
-  return schema;
 }
 
 Json phases_schema(const Group& group, const Settings& defaults) {
   Json known = Json::object();
-  for (const mpm::Phase& phase : defaults.phases) known[phase.name] = known_phase_schema(phase);
+  for (const mpm::Phase& phase : defaults.phases)
+    known[phase.name] = phase_schema("Phase " + phase.name, &phase);
   Json schema = closed_table(group.title, std::move(known));
   schema["patternProperties"] = {{"^[A-Za-z0-9_-]+$", phase_schema("Phase")}};
   schema["maxProperties"] = most_phases;
@@ -162,9 +160,7 @@ Json ellipses_schema() {
   Json properties = Json::object();
   Json required = Json::array();
   for (const EllipseColumn& column : ellipse_columns) {
-    const Form form = QuantityCodec{column.dimension}.form();
-    properties[column.name] = Json{{"description", text(form) + units_text(form)}};
-    properties[column.name].update(schema_of(form));
+    properties[column.name] = described("", QuantityCodec{column.dimension}.form());
     if (column.required) required.push_back(column.name);
   }
   Json ellipse = closed_table("Ellipse", std::move(properties));

@@ -7,6 +7,7 @@
 
 #include "apps/command/command_line.hpp"
 #include "apps/manual/command_tree.hpp"
+#include "tests/apps/manual/example_commands.hpp"
 #include "tests/apps/manual/program_tree.hpp"
 
 namespace command_tree_examples_test {
@@ -63,7 +64,7 @@ void look_at(const CLI::App& command) {
 
 /// What the program would say to a command line; empty = nothing.
 std::string complaint_about(const std::string& line) {
-  std::vector<std::string> words = manual::shell_words(line);
+  std::vector<std::string> words = test::shell_words(line);
   words.erase(words.begin());
   try {
     for (std::size_t i = 0; i + 1 < words.size(); ++i)
@@ -71,7 +72,7 @@ std::string complaint_about(const std::string& line) {
         if (const std::string key = app::phase_key(words[i].substr(2)); !key.empty())
           read(*app::find_field(key), words[i + 1]);
     app::look_at_parsed(
-        words, [](const CLI::App& command) { look_at(deepest(command)); }, test::more_commands());
+        words, [](const CLI::App& command) { look_at(deepest(command)); }, app::evidence_commands());
   } catch (const app::Mistake& mistake) {
     return mistake.allowed;
   } catch (const std::exception& error) {
@@ -94,7 +95,7 @@ TEST(Examples, EveryHelpEndsWithOne) {
 TEST(Examples, TheParserTakesEveryOne) {
   std::size_t count = 0;
   for (const Command* command : every_command(test::program_tree()))
-    for (const std::string& line : manual::example_commands(command->footer)) {
+    for (const std::string& line : test::example_commands(command->footer)) {
       EXPECT_EQ(complaint_about(line), "") << joined(*command, " ") << ": " << line;
       ++count;
     }

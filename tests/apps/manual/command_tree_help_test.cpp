@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/apps/manual/example_commands.hpp"
+
 namespace command_tree_help_test {
 
 using testing::ElementsAre;
@@ -35,18 +37,18 @@ TEST(HelpText, TellsTextListsAndExamplesApart) {
 }
 
 TEST(HelpText, FindsTheCommandsOfItsExamples) {
-  EXPECT_THAT(manual::example_commands(footer),
+  EXPECT_THAT(test::example_commands(footer),
               ElementsAre("mesopix study a.toml --until-ci \"2 %\"",
                           "mesopix study submit a.toml --commands | parallel"));
 }
 
 TEST(HelpText, CutsACommandAsAShellDoes) {
-  EXPECT_THAT(manual::shell_words("mesopix study a.toml --until-ci \"2 %\""),
+  EXPECT_THAT(test::shell_words("mesopix study a.toml --until-ci \"2 %\""),
               ElementsAre("mesopix", "study", "a.toml", "--until-ci", "2 %"));
-  EXPECT_THAT(manual::shell_words("mesopix a --commands | parallel"),
+  EXPECT_THAT(test::shell_words("mesopix a --commands | parallel"),
               ElementsAre("mesopix", "a", "--commands"));
-  EXPECT_THAT(manual::shell_words("mesopix a > b"), ElementsAre("mesopix", "a"));
-  EXPECT_THAT(manual::shell_words("mesopix a # b"), ElementsAre("mesopix", "a"));
+  EXPECT_THAT(test::shell_words("mesopix a > b"), ElementsAre("mesopix", "a"));
+  EXPECT_THAT(test::shell_words("mesopix a # b"), ElementsAre("mesopix", "a"));
 }
 
 }  // namespace command_tree_help_test

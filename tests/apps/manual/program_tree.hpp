@@ -4,25 +4,16 @@
 #include <algorithm>
 
 #include "apps/command/program.hpp"
-#include "apps/manual/command_tree.hpp"
-#ifdef MESOPIX_EVIDENCE
 #include "apps/evidence_commands.hpp"
-#endif
+#include "apps/manual/command_tree.hpp"
 
 namespace test {
-
-inline app::MoreCommands more_commands() {
-#ifdef MESOPIX_EVIDENCE
-  return app::evidence_commands();
-#else
-  return {};
-#endif
-}
 
 inline const manual::Command& program_tree() {
   static const manual::Command tree = [] {
     manual::Command made;
-    app::look_at_program([&](const CLI::App& root) { made = manual::command_tree(root); }, more_commands());
+    app::look_at_program([&](const CLI::App& root) { made = manual::command_tree(root); },
+                         app::evidence_commands());
     return made;
   }();
   return tree;
