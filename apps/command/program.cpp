@@ -135,8 +135,9 @@ class Program {
 
   void refuse_command(const std::string& name) {
     if (name == "reproduce" || name == "bench")  // evidence_commands() has them
-      throw Rejected(Exit::usage, complaint(name, "is not in this build", "",
-                                            "./quickstart all builds it, or cmake with -DMESOPIX_EVIDENCE=ON"));
+      throw Rejected(Exit::usage,
+                     complaint(name, "is not in this build", "",
+                               "./quickstart all builds it, or cmake with -DMESOPIX_EVIDENCE=ON"));
     throw Rejected(Exit::usage, complaint(name, "unknown command", "must be " + listed(names()),
                                           did_you_mean(name, names())));
   }
