@@ -180,26 +180,21 @@ using Files = std::array<std::string, 3>;
 /// that is left to the run.
 class SampleSpecimens {
  public:
-  const std::optional<specimen::Specimen>& of(const Settings& settings) {
+  const std::optional<Prepared>& of(const Settings& settings) {
     const SpecimenChoice& choice = settings.specimen;
     const auto [found, is_new] =
         specimens_.try_emplace(Files{choice.file, choice.picture, choice.ellipses}, std::nullopt);
     if (!is_new) return found->second;
     try {
-      found->second = prepare_specimen(settings).specimen;
+      found->second = prepare_specimen(settings);
     } catch (const specimen::Error&) {
     }
     return found->second;
   }
 
  private:
-  std::map<Files, std::optional<specimen::Specimen>> specimens_;
+  std::map<Files, std::optional<Prepared>> specimens_;
 };
-
-void check_scene(const Settings& settings, specimen::Specimen specimen) {
-  (void)crop_to_cells(specimen, settings.scene.points_per_cell);
-  mpm::validate(build_scene(specimen, settings));
-}
 
 }  // namespace
 
@@ -208,7 +203,8 @@ void check_scenes(const Study& study, const std::vector<Member>& members) {
   for (const Member& member : members) {
     try {
       const Settings settings = member_settings(study, member);
-      if (const auto& specimen = specimens.of(settings)) check_scene(settings, *specimen);
+      if (const auto& specimen = specimens.of(settings))
+        (void)make_job(settings, fit_to_cells(*specimen, settings));
     } catch (const Rejected& rejected) {
       refuse_member(study, member, rejected.complaints);
     } catch (const mpm::Error& error) {
