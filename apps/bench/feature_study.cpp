@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "apps/job/job.hpp"
-#include "apps/job/specimen_source.hpp"
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/reproduce/trial.hpp"
@@ -23,11 +22,8 @@ using mpm::kernels::Check;
 /// The paper's specimen, pulled so fast that some hundred steps take it to where points fail.
 mpm::Scene feature_specimen(int pixels, mpm::Kinematics kinematics) {
   const double pixel = 150.0 / pixels;  // [mm]
-  const Settings settings =
-      reproduce::settings_of({"tension", {{"generate.pixel_size", std::to_string(pixel) + " mm"}}, false});
-  specimen::Specimen specimen = prepare_specimen(settings).specimen;
-  static_cast<void>(crop_to_cells(specimen, settings.scene.points_per_cell));
-  mpm::Scene scene = build_scene(specimen, settings);
+  const reproduce::Trial trial{"tension", {{"generate.pixel_size", std::to_string(pixel) + " mm"}}, false};
+  mpm::Scene scene = make_job(reproduce::settings_of(trial)).scene;
   scene.threads = 1;
   scene.kinematics = kinematics;
   scene.loading.velocity = 1;

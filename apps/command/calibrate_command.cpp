@@ -103,7 +103,7 @@ Exit CalibrateCommand::run(Console& console) {
   check_loading(settings.scene);
   settle_source(settings);
   if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
-  const Job job = prepare_job(std::move(settings), console);
+  const Job job = make_job(std::move(settings), console);
   const CalibrationTask task = make_task(job, std::move(target), wish_);
   const FreshFolder folder(
       make_run_folder(output_, fs::path(input_).stem().string() + "-calibration", overwrite_));

@@ -155,7 +155,7 @@ Exit SimulateCommand::begin(Console& console) {
     console.out << scene_text(settings, Extent::whole, fs::current_path());
     return Exit::ok;
   }
-  Job job = prepare_job(std::move(settings), console);
+  Job job = make_job(std::move(settings), console);
   if (explain_) {
     const mpm::Explanation explanation = mpm::explain(job.scene);
     console.out << (json_ ? json_text(explanation_json(explanation)) : explanation_text(explanation));

@@ -24,10 +24,15 @@ Job make_job(Settings settings, Prepared cells) {
   return {std::move(settings), std::move(cells.specimen), std::move(scene), std::move(cells.notes)};
 }
 
-Job prepare_job(Settings settings, Console& console) {
-  Prepared prepared = prepare_cells(settings);
-  for (const std::string& note : prepared.notes) console.say("note: " + note);
-  return make_job(std::move(settings), std::move(prepared));
+Job make_job(Settings settings) {
+  Prepared cells = prepare_cells(settings);
+  return make_job(std::move(settings), std::move(cells));
+}
+
+Job make_job(Settings settings, Console& console) {
+  Prepared cells = prepare_cells(settings);
+  for (const std::string& note : cells.notes) console.say("note: " + note);
+  return make_job(std::move(settings), std::move(cells));
 }
 
 namespace {

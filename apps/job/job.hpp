@@ -21,19 +21,24 @@ struct Job {
   std::vector<std::string> notes;  ///< on the way there, one sentence each
 };
 
+/// The one way from settled settings to what is solved: the specimen is prepared, cropped to whole cells,
+/// made into a scene, and that is validated. Each stage is a function of its own below, for who shares a
+/// specimen or looks at one stage after the other.
+/// @throws Rejected, and the errors of the libraries, for what cannot be solved.
+[[nodiscard]] Job make_job(Settings settings);
+
+/// The same from a specimen of whole cells that is there already.
+[[nodiscard]] Job make_job(Settings settings, Prepared cells);
+
+/// The same from the start; notes are said as soon as they are known.
+[[nodiscard]] Job make_job(Settings settings, Console& console);
+
 /// The specimen of settled settings, cropped to whole cells, with a note where something was cut.
 /// @throws Rejected, specimen::Error.
 [[nodiscard]] Prepared prepare_cells(const Settings& settings);
 
 /// The same of a specimen that is there already.   @throws Rejected when nothing is left.
 [[nodiscard]] Prepared fit_to_cells(Prepared prepared, const Settings& settings);
-
-/// A specimen of whole cells and its scene.
-/// @throws Rejected, and the errors of the libraries, for what cannot be solved.
-[[nodiscard]] Job make_job(Settings settings, Prepared cells);
-
-/// Both in one; notes are said.
-[[nodiscard]] Job prepare_job(Settings settings, Console& console);
 
 /// Cut rows at the top and columns at the right that do not fill a cell of the grid.
 /// @return a sentence about what was cut, none where nothing was.   @throws Rejected when nothing is left.

@@ -120,6 +120,10 @@ app::Value value_of(const app::Field& field, py::handle value) {
   return with_unit(field, scalar(value));
 }
 
+app::Value plain_value(py::handle value) {
+  return !py::isinstance<py::str>(value) && py::hasattr(value, "__iter__") ? list_of(value) : scalar(value);
+}
+
 std::vector<app::Assignment> assignments(const app::Offer& offer, const py::dict& settings,
                                          const py::dict& options) {
   Collector collector(offer);

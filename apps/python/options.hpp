@@ -62,6 +62,10 @@ namespace py = pybind11;
 /// A value of a setting.   @throws app::Mistake for what is no value at all.
 [[nodiscard]] app::Value value_of(const app::Field& field, py::handle value);
 
+/// A value that is not one of a setting: texts as they are, anything that can be gone through as a list.
+/// @throws app::Mistake for what is no value at all.
+[[nodiscard]] app::Value plain_value(py::handle value);
+
 /// An option beside the settings, as the text that the program would get: numbers in SI units.
 /// @param unit  of numbers, "Pa"; empty = none.
 [[nodiscard]] std::string option_text(const py::object& value, const char* unit = "");

@@ -196,8 +196,8 @@ std::shared_ptr<Run> read_result(const py::object& folder) {
   return located({}, [&] {
     app::ReadRun read = app::read_run(path_text(folder));
     auto run = std::make_shared<Run>();
-    run->job = {std::move(read.settings), std::move(read.specimen), std::move(read.scene), {}};
     run->result = std::move(read.result);
+    run->job = std::move(read);
     return run;
   });
 }

@@ -1,7 +1,7 @@
 #include "apps/python/study.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "apps/python/body.hpp"
@@ -12,7 +12,7 @@
 #include "apps/study/study_file.hpp"
 #include "apps/study/study_values.hpp"
 #include "apps/system/files.hpp"
-#include "specimen/body/files.hpp"
+#include "apps/system/hdf5_files.hpp"
 #include "specimen/file/specimen_file.hpp"
 
 namespace binding {
@@ -25,6 +25,13 @@ app::Rejected refused(const std::string& field, const std::string& value, const 
   return {app::Exit::usage, app::complaint(field, value, allowed, cure)};
 }
 
+/// Whether the same would be broken, wherever both came from.
+bool are_same(const specimen::Specimen& a, const specimen::Specimen& b) {
+  return a.mask == b.mask && a.itz == b.itz &&
+         std::equal(a.rings.begin(), a.rings.end(), b.rings.begin(), b.rings.end(),
+                    [](const auto& one, const auto& other) { return one.vertices == other.vertices; });
+}
+
 /// A specimen beside the study that was given it; removed again, with a folder that holds nothing else,
 /// unless the study is kept.
 class GivenSpecimen {
@@ -32,16 +39,11 @@ class GivenSpecimen {
   /// @throws app::Rejected when the folder has another one.
   GivenSpecimen(fs::path folder, const specimen::Specimen& specimen) : folder_(std::move(folder)) {
     app::make_folders(folder_);
-    const fs::path file = folder_ / specimen_name, written = folder_ / "specimen.h5.new";
-    specimen::write_specimen(written.string(), specimen);
+    const std::string file = (folder_ / specimen_name).string();
     was_there_ = fs::exists(file);
-    const bool same =
-        was_there_ && specimen::sha256_of_file(file.string()) == specimen::sha256_of_file(written.string());
-    if (was_there_)
-      fs::remove(written);
-    else
-      fs::rename(written, file);
-    if (was_there_ && !same)
+    if (!was_there_)
+      specimen::write_specimen(file, specimen);
+    else if (!are_same(app::read_specimen(file), specimen))
       throw refused("output", folder_.string(), "holds another specimen", "choose another folder");
   }
   ~GivenSpecimen() {
@@ -59,36 +61,35 @@ class GivenSpecimen {
   bool kept_ = false;
 };
 
-/// As the study file has it: paths in full, since the file stands elsewhere.
-std::string toml_of(const app::Field& field, py::handle value) {
+/// Paths in full, since the study stands elsewhere.
+app::Value value_in_study(const app::Field& field, py::handle value) {
   app::Value setting = value_of(field, value);
   if (auto* text = std::get_if<std::string>(&setting.data);
       text != nullptr && field.form.kind == app::Kind::path)
     *text = fs::absolute(*text).lexically_normal().string();
-  return app::toml_text(setting);
+  return setting;
 }
 
 /// {"low": 1, "high": 2}, {"from": 1, "to": 2, "steps": 3}, or a sequence.
-std::string toml_of_values(const app::Field& field, py::handle values) {
-  std::string text;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+app::GivenValues values_in(const app::Field& field, py::handle values) {
   if (py::isinstance<py::dict>(values)) {
+    std::map<std::string, app::Value> ends;
     for (const auto& [name, value] : values.cast<py::dict>()) {
       const std::string word = py::str(name).cast<std::string>();
-      add(app::quoted(word) + " = " +
-          (word == "steps" ? py::str(value).cast<std::string>() : toml_of(field, value)));
+      ends[word] = word == "steps" ? plain_value(value) : value_in_study(field, value);
     }
-    return "{" + text + "}";
+    return ends;
   }
   if (py::isinstance<py::str>(values) || !py::hasattr(values, "__iter__"))
     throw app::Mistake(
         "must be a sequence of values, {\"from\": 1, \"to\": 3, \"steps\": 5} or {\"low\": 1, \"high\": 3}");
-  for (const py::handle value : values) add(toml_of(field, value));
-  return "[" + text + "]";
+  app::Value::List list;
+  for (const py::handle value : values) list.push_back(value_in_study(field, value));
+  return list;
 }
 
-/// A line of [vary]: names as simulate takes them, several with + between.
-std::string vary_line(const std::string& names, py::handle values) {
+/// @param names  as simulate takes them, several with + between.
+void vary(app::PlanMaker& maker, const std::string& names, py::handle values) {
   std::string keys, first;
   for (const std::string& name : app::keys_of(names)) {
     const std::string key = app::key_named(app::offer_of_simulate(), name);
@@ -98,43 +99,31 @@ std::string vary_line(const std::string& names, py::handle values) {
   if (first.empty())
     throw refused("vary", app::quoted(names), "must be a setting, or several with + between");
   try {
-    return app::quoted(keys) + " = " + toml_of_values(*app::find_field(first), values) + "\n";
+    const app::GivenValues given = values_in(*app::find_field(first), values);
+    maker.vary(keys, [&] { return given; }, {}, {});
   } catch (const app::Mistake& mistake) {
     throw refused("vary." + names, py::repr(values).cast<std::string>(), mistake.allowed, mistake.cure);
   }
 }
 
-std::string plain_toml(py::handle value) {
-  if (py::isinstance<py::str>(value)) return app::quoted(value.cast<std::string>());
-  if (!py::hasattr(value, "__iter__")) return py::str(value).cast<std::string>();
-  std::string text;
-  for (const py::handle item : value) text += (text.empty() ? "" : ", ") + plain_toml(item);
-  return "[" + text + "]";
+void set(app::PlanMaker& maker, const std::string& name, py::handle value) {
+  try {
+    maker.set(name, plain_value(value), {});
+  } catch (const app::Mistake& mistake) {
+    throw refused(name, py::repr(value).cast<std::string>(), mistake.allowed, mistake.cure);
+  }
 }
 
-std::string study_text(const py::dict& wanted) {
-  std::string text = "scene = \"scene.toml\"\n";
+app::StudyPlan plan_of(const py::dict& wanted, const fs::path& folder) {
+  app::PlanMaker maker("", folder.string());
+  maker.set("scene", {"scene.toml"}, {});
   for (const auto& [name, value] : wanted)
     if (!value.is_none() && !py::str(name).equal(py::str("vary")))
-      text += py::str(name).cast<std::string>() + " = " + plain_toml(value) + "\n";
-  const py::object vary = wanted["vary"];
-  if (vary.is_none()) return text;
-  text += "\n[vary]\n";
-  for (const auto& [names, values] : vary.cast<py::dict>())
-    text += vary_line(py::str(names).cast<std::string>(), values);
-  return text;
-}
-
-/// Of complaints about a text that stands in no file yet.
-template <class Read>
-app::Study without_places(const std::string& path, const Read& read) {
-  try {
-    return read();
-  } catch (app::Rejected& rejected) {
-    for (app::Complaint& one : rejected.complaints)
-      if (one.place.file == path) one.place = {};
-    throw app::Rejected(app::Exit::usage, rejected.complaints);
-  }
+      set(maker, py::str(name).cast<std::string>(), value);
+  if (const py::object all = wanted["vary"]; !all.is_none())
+    for (const auto& [names, values] : all.cast<py::dict>())
+      vary(maker, py::str(names).cast<std::string>(), values);
+  return maker.plan();
 }
 
 StudyWish of_scene(const StudyArguments& arguments, const fs::path& folder) {
@@ -149,12 +138,11 @@ StudyWish of_scene(const StudyArguments& arguments, const fs::path& folder) {
     wish.given = std::make_shared<GivenSpecimen>(folder, broken.given->specimen);
     settings.specimen.file = (folder / specimen_name).string();
   }
-  const std::string path = (folder / "study.toml").string();
-  wish.study = without_places(path, [&] {
-    return app::study_of(
-        {study_text(arguments.wanted), path},
-        {app::scene_text(settings, app::Extent::whole, folder), (folder / "scene.toml").string()});
-  });
+  app::StudyPlan plan = plan_of(arguments.wanted, folder);
+  app::TextFile file{plan_text(plan, folder), (folder / "study.toml").string()};
+  app::TextFile scene{app::scene_text(settings, app::Extent::whole, folder), plan.scene};
+  wish.study =
+      study_of(std::move(plan), app::as_written(std::move(settings)), std::move(file), std::move(scene));
   return wish;
 }
 

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "apps/job/job.hpp"
-#include "apps/job/specimen_source.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/reproduce/figure.hpp"
@@ -47,9 +46,7 @@ Strengths strengths_of(const mpm::Scene& scene, std::uint8_t label) {
 }
 
 std::vector<Strengths> measure(const Study& study) {
-  const Settings settings = settings_of(square_trial(study, "tension", 1));
-  const Prepared prepared = prepare_specimen(settings);
-  const mpm::Scene scene = build_scene(prepared.specimen, settings);
+  const mpm::Scene scene = make_job(settings_of(square_trial(study, "tension", 1))).scene;
   std::vector<Strengths> all;
   for (std::size_t label = 0; label < scene.phases.size(); ++label)
     if (scene.phases[label] && scene.phases[label]->can_crack())

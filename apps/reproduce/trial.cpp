@@ -1,7 +1,6 @@
 #include "apps/reproduce/trial.hpp"
 
 #include "apps/job/job.hpp"
-#include "apps/job/specimen_source.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/text/complaint.hpp"
 #include "libmpm/run/simulate.hpp"
@@ -59,14 +58,12 @@ Settings settings_of(const Trial& trial) {
 }
 
 Outcome run_trial(const Trial& trial, const std::function<bool()>& go_on) {
-  const Settings settings = settings_of(trial);
+  Job job = make_job(settings_of(trial));
+  job.scene.threads = 1;  // other trials have the other cores
   Outcome outcome;
-  outcome.specimen = prepare_specimen(settings).specimen;
-  static_cast<void>(crop_to_cells(outcome.specimen, settings.scene.points_per_cell));
-  mpm::Scene scene = build_scene(outcome.specimen, settings);
-  scene.threads = 1;  // other trials have the other cores
+  outcome.specimen = std::move(job.specimen);
   try {
-    outcome.result = mpm::simulate(scene, {.observer = [&](const mpm::Progress&) { return go_on(); }});
+    outcome.result = mpm::simulate(job.scene, {.observer = [&](const mpm::Progress&) { return go_on(); }});
   } catch (const mpm::Diverged& diverged) {
     throw Rejected(Exit::data, complaint("reproduce", diverged.what(), "in " + command_of(trial)));
   }

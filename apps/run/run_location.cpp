@@ -3,7 +3,6 @@
 #include <string>
 #include <system_error>
 
-#include "apps/job/job.hpp"
 #include "apps/scene/input.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/system/hdf5_files.hpp"
@@ -64,10 +63,10 @@ ReadRun read_run(const std::string& folder) {
   const auto file = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
   ReadRun run;
   run.result = read_result(file("result.h5"));
-  run.specimen = read_specimen(file("specimen.h5"));
   run.scene_toml = read_scene_text(file("result.h5"));
-  run.settings = resolve(parse_scene(run.scene_toml, file("scene.toml")), {}).settings;
-  run.scene = build_scene(run.specimen, run.settings);
+  specimen::Specimen specimen = read_specimen(file("specimen.h5"));
+  static_cast<Job&>(run) = make_job(resolve(parse_scene(run.scene_toml, file("scene.toml")), {}).settings,
+                                    {std::move(specimen), {}, {}});
   const bool fits =
       run.result.failure_strain.size() == 0 || (run.result.failure_strain.rows() == run.scene.labels.rows() &&
                                                 run.result.failure_strain.cols() == run.scene.labels.cols());

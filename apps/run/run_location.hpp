@@ -6,8 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/job/job.hpp"
 #include "apps/run/run_folder.hpp"
-#include "apps/settings/settings.hpp"
 
 namespace app {
 
@@ -36,13 +36,11 @@ class FreshFolder {
   std::filesystem::path path_;
 };
 
-/// Owner of what a RunRecord refers to.
-struct ReadRun {
-  specimen::Specimen specimen;
-  mpm::Scene scene;
+/// Owner of what a RunRecord refers to: the job, paths in its settings relative to where the program is, and
+/// what came of it.
+struct ReadRun : Job {
   mpm::Result result;
   std::string scene_toml;
-  Settings settings;  ///< of the scene, paths in it relative to where the program is
 
   [[nodiscard]] RunRecord record() const;
 };

@@ -254,13 +254,11 @@ Resolved settings_of(const fs::path& folder, const std::string& of_the_run,
 
 Job job_of(const fs::path& folder, Settings settings, const mpm::Checkpoint& checkpoint) {
   const std::string path = (folder / "specimen.h5").string();
-  specimen::Specimen specimen = read_specimen(path);
-  mpm::Scene scene = build_scene(specimen, settings);
-  mpm::validate(scene);
-  if (mpm::specimen_digest(scene) != checkpoint.specimen)
+  Job job = make_job(std::move(settings), {read_specimen(path), {}, {}});
+  if (mpm::specimen_digest(job.scene) != checkpoint.specimen)
     throw Rejected(Exit::data, complaint(path, "is not the specimen that the run began with", "",
                                          "bring it back as it was"));
-  return {std::move(settings), std::move(specimen), std::move(scene), {}};
+  return job;
 }
 
 }  // namespace

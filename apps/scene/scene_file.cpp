@@ -162,16 +162,20 @@ SceneFile read_scene_file(const std::string& path) { return parse_scene(read_tex
 
 namespace {
 
-Origins origins_of(const SceneFile& scene, const std::vector<Assignment>& command_line,
-                   const Settings& settings) {
-  Origins origins;
-  for (const auto* given : {&scene.assignments, &command_line})
-    for (const Assignment& one : *given) origins.insert_or_assign(one.key, one);
-  if (!scene.ellipse_list.empty())
-    origins["ellipses"] = {"ellipses", {}, scene.ellipses_place, "ellipses", ""};
-  else if (const std::string& list = settings.specimen.ellipses; !list.empty())
-    origins["ellipses"] = {"ellipses", {}, {list, 0, 0}, "ellipses", ""};
-  return origins;
+/// Lay over the settings what was given, and remember where.
+void lay_over(const std::vector<Assignment>& given, Resolved& resolved, std::vector<Complaint>& complaints) {
+  apply(given, resolved.settings, complaints);
+  for (const Assignment& one : given) resolved.origins.insert_or_assign(one.key, one);
+  const SpecimenChoice& choice = resolved.settings.specimen;
+  if (choice.ellipse_list.empty() && !choice.ellipses.empty())
+    resolved.origins["ellipses"] = {"ellipses", {}, {choice.ellipses, 0, 0}, "ellipses", ""};
+}
+
+Resolved accepted(Resolved resolved, std::vector<Complaint> complaints) {
+  if (complaints.empty()) complaints = check_use(resolved.origins, resolved.settings);
+  if (complaints.empty()) return resolved;
+  const bool of_file = !complaints.front().place.file.empty();
+  throw Rejected(of_file ? Exit::data : Exit::usage, complaints);
 }
 
 }  // namespace
@@ -180,23 +184,27 @@ Resolved resolve_what_can_be(const SceneFile& scene, const std::vector<Assignmen
                              std::vector<Complaint>& complaints) {
   Resolved resolved;
   std::vector<Complaint> of_file = scene.complaints;
-  apply(scene.assignments, resolved.settings, of_file);
   resolved.settings.specimen.ellipse_list = scene.ellipse_list;
+  if (!scene.ellipse_list.empty())
+    resolved.origins["ellipses"] = {"ellipses", {}, scene.ellipses_place, "ellipses", ""};
+  lay_over(scene.assignments, resolved, of_file);
   std::stable_sort(of_file.begin(), of_file.end(),
                    [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
   complaints.insert(complaints.end(), of_file.begin(), of_file.end());
-  apply(command_line, resolved.settings, complaints);
-  resolved.origins = origins_of(scene, command_line, resolved.settings);
+  lay_over(command_line, resolved, complaints);
   return resolved;
 }
 
 Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_line) {
   std::vector<Complaint> complaints;
   Resolved resolved = resolve_what_can_be(scene, command_line, complaints);
-  if (complaints.empty()) complaints = check_use(resolved.origins, resolved.settings);
-  if (complaints.empty()) return resolved;
-  const bool of_file = !complaints.front().place.file.empty();
-  throw Rejected(of_file ? Exit::data : Exit::usage, complaints);
+  return accepted(std::move(resolved), std::move(complaints));
+}
+
+Resolved resolve_over(Resolved base, const std::vector<Assignment>& given) {
+  std::vector<Complaint> complaints;
+  lay_over(given, base, complaints);
+  return accepted(std::move(base), std::move(complaints));
 }
 
 }  // namespace app

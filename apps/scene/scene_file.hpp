@@ -47,4 +47,7 @@ struct Resolved {
 /// @throws Rejected with every complaint about file and command line.
 [[nodiscard]] Resolved resolve(const SceneFile& scene, const std::vector<Assignment>& command_line);
 
+/// The same from settings that are resolved already.
+[[nodiscard]] Resolved resolve_over(Resolved base, const std::vector<Assignment>& given);
+
 }  // namespace app

@@ -24,22 +24,21 @@ std::string line(const FieldOf<T>& field, const Value& value) {
   return fmt::format("{:<32} # {}{}\n", setting, field.help, choices);
 }
 
-std::string group_lines(const std::string& group, const Settings& settings, const fs::path& folder) {
-  std::string lines;
-  for (const Field& field : fields_of(group)) {
-    if (!why_unused(field.key, settings).empty()) continue;
-    Value value = field.get(settings);
-    if (is_empty_text(value)) continue;
-    if (field.form.kind == Kind::path) value = relative_to(folder, value);
-    lines += line(field, value);
+/// Every setting that has an effect and a value, in the order of the schema.
+/// @param see  takes its whole key, its field and its value.
+template <class See>
+void each_in_use(const Settings& settings, Extent extent, const See& see) {
+  for (const Group& group : groups()) {
+    if (extent == Extent::specimen && !is_of_specimen(group.name)) continue;
+    if (group.name == "phases")
+      for (const mpm::Phase& phase : settings.phases)
+        for (const PhaseField& property : phase_fields())
+          see("phases." + phase.name + "." + property.key, property, property.get(phase));
+    for (const Field& field : fields_of(group.name)) {
+      if (!why_unused(field.key, settings).empty()) continue;
+      if (const Value value = field.get(settings); !is_empty_text(value)) see(field.key, field, value);
+    }
   }
-  return lines;
-}
-
-std::string phase_lines(const mpm::Phase& phase) {
-  std::string lines;
-  for (const PhaseField& property : phase_fields()) lines += line(property, property.get(phase));
-  return lines;
 }
 
 std::string ellipse_lines(const std::vector<specimen::Ellipse>& ellipses) {
@@ -55,8 +54,30 @@ std::string ellipse_lines(const std::vector<specimen::Ellipse>& ellipses) {
   return text + "]\n";
 }
 
-std::string table(const std::string& name, const std::string& lines) {
-  return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
+/// A number in SI units where a quantity is written with a unit; words and lists as they are.
+template <class T>
+Value exact(const FieldOf<T>& field, const Value& value) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (!field.form.measure || text == nullptr) return value;
+  try {
+    return {parse_quantity(*text, field.form.measure->dimension)};
+  } catch (const Mistake&) {  // a word, such as "auto"
+    return value;
+  }
+}
+
+Value exact(const specimen::Grading& classes) {
+  Value::List numbers;
+  for (const specimen::SizeClass& one : classes)
+    for (const double number : {one.d_min, one.d_max, one.share}) numbers.push_back({number});
+  return {numbers};
+}
+
+Value exact(const std::vector<specimen::Ellipse>& ellipses) {
+  Value::List numbers;
+  for (const specimen::Ellipse& ellipse : ellipses)
+    for (const EllipseColumn& column : ellipse_columns) numbers.push_back({ellipse.*column.member});
+  return {numbers};
 }
 
 }  // namespace
@@ -70,15 +91,40 @@ Value relative_to(const std::filesystem::path& folder, const Value& value) {
 std::string scene_text(const Settings& settings, Extent extent, const fs::path& folder) {
   std::string text =
       fmt::format("# A scene of mesopix {}.\n", version()) + ellipse_lines(settings.specimen.ellipse_list);
-  for (const Group& group : groups()) {
-    if (extent == Extent::specimen && !is_of_specimen(group.name)) continue;
-    if (group.name == "phases")
-      for (const mpm::Phase& phase : settings.phases)
-        text += table("phases." + phase.name, phase_lines(phase));
-    else
-      text += table(group.name, group_lines(group.name, settings, folder));
-  }
+  std::string table;
+  each_in_use(settings, extent, [&](const std::string& key, const auto& field, const Value& value) {
+    if (const std::string mine = key.substr(0, key.rfind('.')); mine != table) {
+      text += "\n[" + mine + "]\n";
+      table = mine;
+    }
+    text += line(field, field.form.kind == Kind::path ? relative_to(folder, value) : value);
+  });
   return text;
+}
+
+std::string scene_values(const Settings& settings, Extent extent) {
+  std::map<std::string, Value> values;
+  each_in_use(settings, extent, [&](const std::string& key, const auto& field, const Value& value) {
+    values[key] = field.form.kind == Kind::path
+                      ? Value{fs::path(std::get<std::string>(value.data)).filename().string()}
+                      : exact(field, value);
+  });
+  if (const auto classes = values.find("generate.classes"); classes != values.end())
+    classes->second = exact(settings.grading.classes);
+  values["ellipses"] = exact(settings.specimen.ellipse_list);
+  std::string text;
+  for (const auto& [key, value] : values) text += key + " = " + toml_text(value) + "\n";
+  return text;
+}
+
+Resolved as_written(Settings settings) {
+  Origins origins;
+  each_in_use(settings, Extent::whole,
+              [&](const std::string& key, const auto& /*field*/, const Value& value) {
+                origins[key] = {key, value, {}, key, toml_text(value)};
+              });
+  if (!settings.specimen.ellipse_list.empty()) origins["ellipses"] = {"ellipses", {}, {}, "ellipses", ""};
+  return {std::move(settings), std::move(origins)};
 }
 
 namespace {

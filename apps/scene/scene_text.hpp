@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/scene/scene_file.hpp"
 #include "apps/settings/settings.hpp"
 #include "apps/text/quantity.hpp"
 #include "libmpm/scene/scene.hpp"
@@ -31,6 +32,14 @@ enum class Extent {
 /// @param folder  paths are written relative to it, where the text is to be kept.
 [[nodiscard]] std::string scene_text(const Settings& settings, Extent extent,
                                      const std::filesystem::path& folder);
+
+/// The same as values alone, for digests: a line "key = value" for each setting that has an effect, sorted
+/// by key; numbers exact and in SI units, files by their names without folders. No wording changes it, be it
+/// that of the help or of units, and no order of the schema.
+[[nodiscard]] std::string scene_values(const Settings& settings, Extent extent);
+
+/// What resolve() makes of the scene that scene_text() writes: every setting that has an effect was given.
+[[nodiscard]] Resolved as_written(Settings settings);
 
 /// In draft 7, which the editors' TOML plug-ins read. It tells types, words, units and the ranges that a
 /// schema can express (of texts with a unit only their sign); what depends on other keys it cannot.

@@ -52,7 +52,7 @@ struct TextFile {
 /// A plan with its scene.
 struct Study {
   StudyPlan plan;
-  SceneFile base;
+  Resolved base;   ///< settings of the scene
   TextFile file;   ///< that says the plan
   TextFile scene;  ///< that says the base
 };

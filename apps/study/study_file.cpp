@@ -9,6 +9,7 @@
 
 #include "apps/run/seed_runs.hpp"
 #include "apps/scene/scene_file.hpp"
+#include "apps/scene/scene_text.hpp"
 #include "apps/scene/toml.hpp"
 #include "apps/settings/codec.hpp"
 #include "apps/study/study_values.hpp"
@@ -36,6 +37,8 @@ struct Seeds {
     return seeds;
   }
   [[nodiscard]] static Value write(const std::vector<std::uint64_t>& seeds) {
+    if (seeds == seeds_from(1, static_cast<int>(seeds.size())))
+      return {static_cast<std::int64_t>(seeds.size())};
     Value::List items;
     for (const std::uint64_t seed : seeds) items.push_back({static_cast<std::int64_t>(seed)});
     return {items};
@@ -91,73 +94,141 @@ const std::vector<FieldOf<StudyPlan>>& study_fields() {
 
 namespace {
 
-constexpr const char* vary = study_vary;
+void refuse_if_any(std::vector<Complaint> complaints) {
+  if (complaints.empty()) return;
+  std::stable_sort(complaints.begin(), complaints.end(),
+                   [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
+  throw Rejected(Exit::data, std::move(complaints));
+}
 
-/// Walks a parsed file and collects the plan and complaints.
+}  // namespace
+
+void PlanMaker::set(const std::string& name, const Value& value, const Place& place) {
+  const auto& fields = study_fields();
+  const auto field =
+      std::find_if(fields.begin(), fields.end(), [&](const auto& one) { return one.key == name; });
+  places_[name] = place;
+  try {
+    field->set(plan_, field->form.kind == Kind::path ? within_folder(folder_, value) : value);
+  } catch (const Mistake& mistake) {
+    complain({place, name, toml_text(value), mistake.allowed, mistake.cure});
+  }
+}
+
+void PlanMaker::vary(const std::string& name, const std::function<GivenValues()>& values,
+                     const Place& of_name, const Place& of_values) {
+  StudyParameter parameter{name, {}, {}, 0, 0, of_values, folder_};
+  const std::string key_of_study = std::string(study_vary) + "." + printable(name);
+  for (const std::string& key : keys_of(name)) {
+    if (const auto field = find_field(key))
+      parameter.fields.push_back(*field);
+    else
+      return complain({of_name,
+                       key_of_study,
+                       printable(key) + " is no key of a scene",
+                       text(suggest_key(key, Settings())),
+                       {}});
+    if (!varied_.insert(key).second)
+      return complain({of_name, key_of_study, key + " varies already", "name it once", {}});
+  }
+  try {
+    set_values(values(), parameter);
+    plan_.parameters.push_back(std::move(parameter));
+  } catch (const Mistake& mistake) {
+    complain({of_values, key_of_study, "", mistake.allowed, mistake.cure});
+  }
+}
+
+Place PlanMaker::place(const std::string& key) const {
+  const auto found = places_.find(key);
+  return found == places_.end() ? Place{path_, 0, 0} : found->second;
+}
+
+void PlanMaker::check() {
+  if (plan_.scene.empty())
+    complain({place("scene"), "scene", "missing", "must be a scene file", "write scene = \"scene.toml\""});
+  if (plan_.parameters.empty() && plan_.seeds.empty())
+    complain({place("seeds"), "seeds", "nothing varies", "a study needs seeds, or keys in [vary]",
+              "write seeds = 20"});
+  check_sampling();
+  check_seeds();
+}
+
+void PlanMaker::check_sampling() {
+  const bool grid = plan_.sampling == Sampling::grid;
+  if (grid && is_given("samples"))
+    complain({place("samples"), "samples", "", "has no effect on a grid",
+              "remove it, or choose sampling = \"sobol\""});
+  if (!grid && !is_given("samples"))
+    complain({place("sampling"), "samples", "missing", "must be the number of points", "write samples = 64"});
+  if (!grid && plan_.parameters.empty())
+    complain({place("sampling"), "sampling", "", "has no effect without keys in [vary]", "remove it"});
+  if (plan_.sampling != Sampling::latin_hypercube && is_given("sampling_seed"))
+    complain({place("sampling_seed"), "sampling_seed", "", "has an effect on a Latin hypercube only",
+              "remove it"});
+  for (const StudyParameter& parameter : plan_.parameters)
+    if (grid && parameter.is_range())
+      complain({parameter.place, std::string(study_vary) + "." + parameter.name, "a range",
+                "a grid needs levels", "write {from, to, steps}, or choose sampling = \"sobol\""});
+}
+
+void PlanMaker::check_seeds() {
+  if (is_given("seed_of") && plan_.seeds.empty())
+    complain(
+        {place("seed_of"), "seed_of", "", "has no effect without seeds", "remove it, or write seeds = 20"});
+  for (const StudyParameter& parameter : plan_.parameters)
+    for (const Field& field : parameter.fields)
+      if (leaf_of(field.key) == "seed" && !plan_.seeds.empty())
+        complain({parameter.place, std::string(study_vary) + "." + parameter.name, "", "given beside seeds",
+                  "give one of the two; seed_of says which tables take the seeds"});
+}
+
+StudyPlan PlanMaker::plan() {
+  if (complaints_.empty()) check();
+  refuse_if_any(complaints_);
+  // The parser keeps tables by name.
+  std::stable_sort(plan_.parameters.begin(), plan_.parameters.end(),
+                   [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
+  plan_.seed_of_place = place("seed_of");
+  return plan_;
+}
+
+namespace {
+
+/// Walks a parsed file and tells the maker of the plan.
 class Walk {
  public:
   explicit Walk(std::string path)
-      : path_(std::move(path)), folder_(std::filesystem::path(path_).parent_path()) {}
+      : path_(std::move(path)), maker_(path_, std::filesystem::path(path_).parent_path().string()) {}
 
   StudyPlan read(const toml::table& table) {
     for (const auto& [key, node] : table) {
       const std::string name(key.str());
-      if (name == vary)
+      if (name == study_vary)
         varied(node);
       else
         setting(key, name, node);
     }
-    if (complaints_.empty()) check();
-    if (!complaints_.empty()) refuse();
-    order(plan_.parameters);
-    plan_.seed_of_place = place("seed_of");
-    return plan_;
+    return maker_.plan();
   }
 
  private:
-  void complain(Place place, std::string field, std::string value, std::string allowed,
-                std::string cure = {}) {
-    complaints_.push_back(
-        {std::move(place), std::move(field), std::move(value), std::move(allowed), std::move(cure)});
-  }
-
-  [[noreturn]] void refuse() {
-    std::stable_sort(complaints_.begin(), complaints_.end(),
-                     [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
-    throw Rejected(Exit::data, complaints_);
-  }
-
-  static void order(std::vector<StudyParameter>& parameters) {  // the parser keeps tables by name
-    std::stable_sort(parameters.begin(), parameters.end(),
-                     [](const auto& a, const auto& b) { return stands_before(a.place, b.place); });
-  }
-
   void setting(const toml::key& key, const std::string& name, const toml::node& node) {
     const auto& fields = study_fields();
-    const auto field =
-        std::find_if(fields.begin(), fields.end(), [&](const auto& one) { return one.key == name; });
-    if (field == fields.end()) return unknown(place_of(key.source(), path_), name);
-    const std::optional<Value> value = value_of(node);
+    if (std::none_of(fields.begin(), fields.end(), [&](const auto& one) { return one.key == name; }))
+      return unknown(place_of(key.source(), path_), name);
     const Place place = place_of(node.source(), path_);
-    places_[name] = place;
-    if (!value) return complain(place, name, "a table or a date", "must be a single value");
-    try {
-      field->set(plan_, field->form.kind == Kind::path ? within_folder(*value) : *value);
-    } catch (const Mistake& mistake) {
-      complain(place, name, toml_text(*value), mistake.allowed, mistake.cure);
-    }
-  }
-
-  Value within_folder(const Value& value) const {
-    const auto* text = std::get_if<std::string>(&value.data);
-    return text == nullptr || text->empty() ? value : Value{(folder_ / *text).lexically_normal().string()};
+    if (const std::optional<Value> value = value_of(node))
+      maker_.set(name, *value, place);
+    else
+      maker_.complain({place, name, "a table or a date", "must be a single value", {}});
   }
 
   void unknown(const Place& place, const std::string& name) {
-    std::vector<std::string> names{vary};
+    std::vector<std::string> names{study_vary};
     for (const auto& field : study_fields()) names.push_back(field.key);
     const bool of_scene = find_field(name).has_value() || is_group(name);
-    complaints_.push_back(
+    maker_.complain(
         unknown_key(place, printable(name),
                     {closest(name, names), of_scene ? "is of the scene; what varies of it stands in [vary]"
                                                     : "a study has " + listed(names, "and")}));
@@ -165,18 +236,21 @@ class Walk {
 
   void varied(const toml::node& node) {
     if (const toml::table* table = node.as_table()) return parameters(*table, "");
-    complain(place_of(node.source(), path_), vary, "must be a table", "write [vary]");
+    maker_.complain({place_of(node.source(), path_), study_vary, "must be a table", "write [vary]", {}});
   }
 
   void parameters(const toml::table& table, const std::string& prefix) {
-    for (const auto& [key, node] : table) {
+    for (const auto& [key, value] : table) {
       const std::string name = prefix + std::string(key.str());
+      const toml::node& node = value;
       const toml::table* inner = node.as_table();
       // Keys without quotes make tables of their own: loading.velocity = [...] is the same as with them.
       if (inner != nullptr && is_table_of_scene(name) && !is_spread(*inner))
         parameters(*inner, name + ".");
       else
-        parameter(place_of(key.source(), path_), name, node);
+        maker_.vary(
+            name, [&] { return given_values(node); }, place_of(key.source(), path_),
+            place_of(node.source(), path_));
     }
   }
 
@@ -190,77 +264,8 @@ class Walk {
            });
   }
 
-  void parameter(const Place& place, const std::string& name, const toml::node& node) {
-    StudyParameter parameter{name, {}, {}, 0, 0, place_of(node.source(), path_), folder_.string()};
-    for (const std::string& key : keys_of(name)) {
-      if (const auto field = find_field(key))
-        parameter.fields.push_back(*field);
-      else
-        return complain(place, std::string(vary) + "." + printable(name),
-                        printable(key) + " is no key of a scene", text(suggest_key(key, Settings())));
-      if (!seen_.insert(key).second)
-        return complain(place, std::string(vary) + "." + name, key + " varies already", "name it once");
-    }
-    try {
-      read_values(node, parameter);
-      plan_.parameters.push_back(std::move(parameter));
-    } catch (const Mistake& mistake) {
-      complain(parameter.place, std::string(vary) + "." + name, "", mistake.allowed, mistake.cure);
-    }
-  }
-
-  Place place(const std::string& key) const {
-    const auto found = places_.find(key);
-    return found == places_.end() ? Place{path_, 0, 0} : found->second;
-  }
-
-  bool is_given(const std::string& key) const { return places_.count(key) > 0; }
-
-  void check() {
-    if (plan_.scene.empty())
-      complain(place("scene"), "scene", "missing", "must be a scene file", "write scene = \"scene.toml\"");
-    if (plan_.parameters.empty() && plan_.seeds.empty())
-      complain(place("seeds"), "seeds", "nothing varies", "a study needs seeds, or keys in [vary]",
-               "write seeds = 20");
-    check_sampling();
-    check_seeds();
-  }
-
-  void check_sampling() {
-    const bool grid = plan_.sampling == Sampling::grid;
-    if (grid && is_given("samples"))
-      complain(place("samples"), "samples", "", "has no effect on a grid",
-               "remove it, or choose sampling = \"sobol\"");
-    if (!grid && !is_given("samples"))
-      complain(place("sampling"), "samples", "missing", "must be the number of points", "write samples = 64");
-    if (!grid && plan_.parameters.empty())
-      complain(place("sampling"), "sampling", "", "has no effect without keys in [vary]", "remove it");
-    if (plan_.sampling != Sampling::latin_hypercube && is_given("sampling_seed"))
-      complain(place("sampling_seed"), "sampling_seed", "", "has an effect on a Latin hypercube only",
-               "remove it");
-    for (const StudyParameter& parameter : plan_.parameters)
-      if (grid && parameter.is_range())
-        complain(parameter.place, std::string(vary) + "." + parameter.name, "a range", "a grid needs levels",
-                 "write {from, to, steps}, or choose sampling = \"sobol\"");
-  }
-
-  void check_seeds() {
-    if (is_given("seed_of") && plan_.seeds.empty())
-      complain(place("seed_of"), "seed_of", "", "has no effect without seeds",
-               "remove it, or write seeds = 20");
-    for (const StudyParameter& parameter : plan_.parameters)
-      for (const Field& field : parameter.fields)
-        if (leaf_of(field.key) == "seed" && !plan_.seeds.empty())
-          complain(parameter.place, std::string(vary) + "." + parameter.name, "", "given beside seeds",
-                   "give one of the two; seed_of says which tables take the seeds");
-  }
-
   std::string path_;
-  std::filesystem::path folder_;
-  StudyPlan plan_;
-  std::map<std::string, Place> places_;
-  std::set<std::string> seen_;
-  std::vector<Complaint> complaints_;
+  PlanMaker maker_;
 };
 
 /// Both random fields, where the scene has both: each member is then another specimen of the same kind.
@@ -271,21 +276,12 @@ std::vector<std::string> default_seed_of(const Settings& settings) {
   return names;
 }
 
-/// With its scene, and what follows from it.   @throws Rejected for a scene that is not valid.
-Study completed(StudyPlan plan, TextFile file, TextFile scene) {
-  SceneFile base = parse_scene(scene.text, scene.path);
-  const Resolved resolved = resolve(base, {});
-  if (plan.title.empty()) plan.title = std::filesystem::path(file.path).stem().string();
-  if (plan.seed_of.empty()) plan.seed_of = default_seed_of(resolved.settings);
-  return {std::move(plan), std::move(base), std::move(file), std::move(scene)};
-}
-
 }  // namespace
 
 bool is_meant_as_study(const std::string& text, const std::string& path) {
   const toml::table table = parse_toml(text, path);
   return std::any_of(table.begin(), table.end(), [](const auto& entry) {
-    return entry.first.str() == "scene" || entry.first.str() == vary;
+    return entry.first.str() == "scene" || entry.first.str() == study_vary;
   });
 }
 
@@ -299,16 +295,38 @@ StudyPlan parse_study(const std::string& text, const std::string& path) {
   return Walk(path).read(parse_toml(text, path));
 }
 
-Study read_study(const std::string& path) {
-  TextFile file{read_text_file(path), path};
-  StudyPlan plan = parse_study(file.text, path);
-  TextFile scene{read_text_file(plan.scene), plan.scene};
-  return completed(std::move(plan), std::move(file), std::move(scene));
+std::string plan_text(const StudyPlan& plan, const std::filesystem::path& folder) {
+  std::string text;
+  for (const auto& field : study_fields()) {
+    Value value = field.get(plan);
+    if (value == field.get(StudyPlan())) continue;
+    if (field.form.kind == Kind::path) value = relative_to(folder, value);
+    text += field.key + " = " + toml_text(value) + "\n";
+  }
+  if (!plan.parameters.empty()) text += std::string("\n[") + study_vary + "]\n";
+  for (const StudyParameter& parameter : plan.parameters)
+    text += quoted(parameter.name) + " = " + values_text(parameter) + "\n";
+  return text;
+}
+
+Study study_of(StudyPlan plan, Resolved base, TextFile file, TextFile scene) {
+  if (plan.title.empty()) plan.title = std::filesystem::path(file.path).stem().string();
+  if (plan.seed_of.empty()) plan.seed_of = default_seed_of(base.settings);
+  return {std::move(plan), std::move(base), std::move(file), std::move(scene)};
 }
 
 Study study_of(TextFile file, TextFile scene) {
   StudyPlan plan = parse_study(file.text, file.path);
-  return completed(std::move(plan), std::move(file), std::move(scene));
+  Resolved base = resolve(parse_scene(scene.text, scene.path), {});
+  return study_of(std::move(plan), std::move(base), std::move(file), std::move(scene));
+}
+
+Study read_study(const std::string& path) {
+  TextFile file{read_text_file(path), path};
+  StudyPlan plan = parse_study(file.text, path);
+  TextFile scene{read_text_file(plan.scene), plan.scene};
+  Resolved base = resolve(parse_scene(scene.text, scene.path), {});
+  return study_of(std::move(plan), std::move(base), std::move(file), std::move(scene));
 }
 
 }  // namespace app

@@ -14,6 +14,7 @@
 #include "apps/system/files.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"
+#include "apps/text/text_parts.hpp"
 #include "libmpm/files/replace_file.hpp"
 
 namespace app {
@@ -85,11 +86,42 @@ std::string cure_of(const Study& kept, const Study& given) {
               : "choose another folder with -o; a study may only grow: more seeds, levels or samples";
 }
 
+/// As the folder says it; before it did, it was 1.
+int kept_format(const fs::path& file) {
+  if (!is_there(file)) return 1;
+  const auto json = nlohmann::json::parse(read_text_file(file.string()), nullptr, false);
+  if (!json.is_object() || !json.contains("format") || !json["format"].is_number_integer())
+    throw Rejected(Exit::data, complaint(file.string(), "says no format", "must be as mesopix wrote it"));
+  return json["format"].get<int>();
+}
+
+bool holds_anything(const fs::path& folder) {
+  std::error_code error;
+  return fs::directory_iterator(folder, error) != fs::directory_iterator();
+}
+
 }  // namespace
+
+/// Members that were named otherwise would count as open, and lie beside their successors for good.
+void StudyFolder::check_format(const Study& study) const {
+  if (!holds_anything(path_ / "members") && !holds_anything(path_ / "failures")) return;
+  const int kept = kept_format(file("format.json"));
+  if (kept == identity_format) return;
+  throw Rejected(
+      Exit::data,
+      complaint(
+          "-o", path_.string(),
+          fmt::format("holds members kept by {} version of mesopix, which have another identity",
+                      kept < identity_format ? "an older" : "a newer"),
+          fmt::format("run the study anew in a folder of its own, mesopix study {} -o {}; what is in this "
+                      "one, its table too, stays as it is",
+                      shell_word(study.file.path), shell_word(path_.string() + "-new"))));
+}
 
 void StudyFolder::open(const Study& study, const std::vector<Member>& members) const {
   const FileTexts given{study.file.text, study.scene.text};
   const FileTexts kept = kept_texts(path_);
+  if (!kept.study.empty()) check_format(study);
   if (!kept.study.empty() && kept != given) {
     const Study before = study_of({kept.study, study.file.path}, {kept.scene, study.scene.path});
     if (!only_grew(before, members))
@@ -100,6 +132,8 @@ void StudyFolder::open(const Study& study, const std::vector<Member>& members) c
   make_folders(path_ / "failures");
   if (kept.scene != given.scene) mpm::replace_file(file("scene.toml").string(), given.scene);
   if (kept.study != given.study) mpm::replace_file(file("study.toml").string(), given.study);
+  if (kept_format(file("format.json")) != identity_format)
+    mpm::replace_file(file("format.json").string(), json_text({{"format", identity_format}}));
 }
 
 fs::path StudyFolder::result_file(const Member& member) const {

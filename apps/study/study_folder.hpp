@@ -1,6 +1,7 @@
 /// What a study keeps on disk.
 ///   study.toml, scene.toml   the study and its scene, as they were given
 ///   specimen.h5              that they break, where a script gave one
+///   format.json              identity_format, by which the members are named
 ///   members/ID.h5            result of a member (mpm::write_result), named by what it depends on
 ///   members/ID/checkpoints   of a member that was interrupted (CheckpointFolder)
 ///   failures/ID.json         why a member has none
@@ -22,8 +23,8 @@ class StudyFolder {
 
   /// Make the folder, or go on with one that holds this study or a smaller one: whose members are all among
   /// the given ones.
-  /// @throws Rejected (Exit::usage) for a folder of something else, saying what differs; (Exit::io),
-  /// mpm::FileError.
+  /// @throws Rejected (Exit::usage) for a folder of something else, saying what differs; (Exit::data) for one
+  /// whose members another version has named otherwise; (Exit::io), mpm::FileError.
   void open(const Study& study, const std::vector<Member>& members) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -46,6 +47,8 @@ class StudyFolder {
   void forget_failure(const Member& member) const;
 
  private:
+  void check_format(const Study& study) const;
+
   std::filesystem::path path_;
 };
 

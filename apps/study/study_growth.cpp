@@ -63,7 +63,7 @@ WholeStudy run_whole_study(Study study, std::vector<Member> members, const Study
       return whole;
     }
     seeds = grown_seeds(seeds, wanted);
-    whole.members = list_members(whole.study);
+    whole.members = list_members(whole.study, std::move(whole.members));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "apps/job/specimen_source.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/study/study_values.hpp"
+#include "apps/text/version.hpp"
 #include "specimen/body/error.hpp"
 #include "specimen/body/files.hpp"
 #include "specimen/body/raster.hpp"
@@ -130,12 +131,16 @@ void check_grading(const Settings& settings) {
   if (source_of(settings) == Source::generated) (void)packing_options(settings);
 }
 
-/// Fills in the id.
-void check(const Study& study, Member& member) {
+/// Fills in the settings and the id.
+void settle(const Study& study, Member& member) {
   try {
-    const Settings settings = member_settings(study, member);
+    Settings settings = resolve_over(study.base, assignments_of(study, member)).settings;
+    settings.scene.threads = 1;
+    settings.scene.frames = 0;
+    settings.specimen = settled(settings);
     check_grading(settings);
-    member.id = specimen::sha256_of_text(member_scene(settings)).substr(0, id_digits);
+    member.id = identity_of(settings);
+    member.settings = std::make_shared<const Settings>(std::move(settings));
   } catch (const Rejected& rejected) {
     refuse_member(study, member, rejected.complaints);
   } catch (const specimen::Error& error) {
@@ -164,28 +169,21 @@ void check_count(std::size_t points, std::size_t seeds) {
 
 }  // namespace
 
-std::vector<Member> list_members(const Study& study) {
+std::vector<Member> list_members(const Study& study, std::vector<Member> begun) {
   const std::vector<std::vector<Value>> points = points_of(study.plan);
   std::vector<std::optional<std::uint64_t>> seeds(study.plan.seeds.begin(), study.plan.seeds.end());
   if (seeds.empty()) seeds.emplace_back();
   check_count(points.size(), seeds.size());
-  std::vector<Member> members;
+  std::vector<Member> members = std::move(begun);
   std::map<std::string, std::size_t> numbers;
-  for (const auto& seed : seeds)
-    for (std::size_t point = 0; point < points.size(); ++point) {
-      members.push_back({members.size(), point, points[point], seed, {}});
-      check(study, members.back());
-      refuse_repetition(study, members.back(), numbers);
-    }
+  for (const Member& member : members) numbers.emplace(member.id, member.number);
+  while (members.size() < points.size() * seeds.size()) {
+    const std::size_t number = members.size(), point = number % points.size();
+    members.push_back({number, point, points[point], seeds[number / points.size()]});
+    settle(study, members.back());
+    refuse_repetition(study, members.back(), numbers);
+  }
   return members;
-}
-
-Settings member_settings(const Study& study, const Member& member) {
-  Settings settings = resolve(study.base, assignments_of(study, member)).settings;
-  settings.scene.threads = 1;
-  settings.scene.frames = 0;
-  settings.specimen = settled(settings);
-  return settings;
 }
 
 std::string member_scene(Settings settings) {
@@ -193,6 +191,15 @@ std::string member_scene(Settings settings) {
   settings.specimen.file = without_folder(settings.specimen.file);
   settings.specimen.picture = without_folder(settings.specimen.picture);
   return scene_text(settings, Extent::whole, {});
+}
+
+std::string identity_text(Settings settings) {
+  settings.title.clear();
+  return std::string("mesopix = ") + version() + "\n" + scene_values(settings, Extent::whole);
+}
+
+std::string identity_of(const Settings& settings) {
+  return specimen::sha256_of_text(identity_text(settings)).substr(0, id_digits);
 }
 
 void refuse_member(const Study& study, const Member& member, std::vector<Complaint> complaints) {

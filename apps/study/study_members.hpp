@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,21 +35,29 @@ struct Member {
   std::size_t point = 0;              ///< in the space of the parameters
   std::vector<Value> values;          ///< of the parameters, in their order
   std::optional<std::uint64_t> seed;  ///< none: the seeds of the scene
-  std::string id;                     ///< 16 hexadecimal digits of the SHA-256 of member_scene()
+  /// Those of the scene with its values and seed, to run on one thread, without frames; settled: a file that
+  /// the specimen is read from is pinned by its SHA-256.
+  std::shared_ptr<const Settings> settings = {};
+  std::string id = {};  ///< identity_of() its settings
 };
 
 /// Every member, found valid as far as can be told without its specimen.
-/// @throws Rejected (Exit::data) naming the first member that is not, and its values.
-[[nodiscard]] std::vector<Member> list_members(const Study& study);
+/// @param begun  the members of the study when it had fewer seeds; they stay as they are.
+/// @throws Rejected (Exit::data) naming the first member that is not valid, and its values.
+[[nodiscard]] std::vector<Member> list_members(const Study& study, std::vector<Member> begun = {});
 
-/// Settings of a member: those of the scene with its values and seed, to run on one thread, without frames.
-/// Settled: a file that the specimen is read from is pinned by its SHA-256.
-/// @throws Rejected.
-[[nodiscard]] Settings member_settings(const Study& study, const Member& member);
-
-/// The resolved scene of a member's settings, without a title and the folders of its files: what its result
-/// depends on, and no more.
+/// The resolved scene of a member's settings, without a title and the folders of its files, as its result
+/// keeps it.
 [[nodiscard]] std::string member_scene(Settings settings);
+
+/// What a result depends on, and no more: the version of the program and scene_values() without the title.
+[[nodiscard]] std::string identity_text(Settings settings);
+
+/// 16 hexadecimal digits of the SHA-256 of identity_text().
+[[nodiscard]] std::string identity_of(const Settings& settings);
+
+/// Of the rules that identity_text() follows: members that were kept by other rules have another identity.
+inline constexpr int identity_format = 2;
 
 /// "member 17 (loading.velocity = 0.05 m/s, seed 3)".
 [[nodiscard]] std::string name_of(const Study& study, const Member& member);

@@ -72,8 +72,8 @@ std::string notes_section(const StudyRecord& record) {
   const auto worst = std::max_element(record.members.begin(), record.members.end(),
                                       [&](const Member& a, const Member& b) { return error(a) < error(b); });
   if (!(error(*worst) > 0)) return "";
-  const std::string note = energy_note(record.results.outcomes[worst->number].figures,
-                                       member_settings(record.study, *worst).scene);
+  const std::string note =
+      energy_note(record.results.outcomes[worst->number].figures, worst->settings->scene);
   if (note.empty()) return "";
   return section("Notes", paragraph("The energies of " + name_of(record.study, *worst) + " are the worst: " +
                                     note + ". Those of all members stand in table.csv."));
@@ -116,7 +116,7 @@ void write_study_report(const StudyFolder& folder, const Study& study, const std
   const auto done = std::find_if(results.outcomes.begin(), results.outcomes.end(),
                                  [](const auto& outcome) { return outcome.state == MemberState::done; });
   const auto first = done == results.outcomes.end() ? 0 : done - results.outcomes.begin();
-  const Settings settings = member_settings(study, members[static_cast<std::size_t>(first)]);
+  const Settings& settings = *members[static_cast<std::size_t>(first)].settings;
   StudyRecord record{study, members, results, settings.scene, {}};
   if (results.cracks.failures.size() > 0 && !varies_pixels(study.plan))
     record.mask = prepare_cells(settings).specimen.mask;

@@ -7,12 +7,12 @@
 
 #include "apps/report/key_figures.hpp"
 #include "apps/report/run_words.hpp"
+#include "apps/scene/scene_file.hpp"
 #include "apps/study/study_values.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/figures.hpp"
 #include "libmpm/files/result_file.hpp"
 #include "libmpm/scene/error.hpp"
-#include "specimen/body/files.hpp"
 
 namespace app {
 namespace {
@@ -36,10 +36,19 @@ Curve thinned(const mpm::Result& result) {
   return curve;
 }
 
+/// Whether a scene that a result keeps is that of the member; its help and units may be worded otherwise.
+bool is_scene_of(const Member& member, const std::string& scene) {
+  try {
+    return identity_of(resolve(parse_scene(scene, ""), {}).settings) == member.id;
+  } catch (const Rejected&) {
+    return false;
+  }
+}
+
 mpm::Result read_member(const StudyFolder& folder, const Member& member) {
   const std::string path = folder.result_file(member).string();
   const Hdf5Turn turn = hdf5_turn();
-  if (specimen::sha256_of_text(mpm::read_scene_text(path)).rfind(member.id, 0) != 0)
+  if (!is_scene_of(member, mpm::read_scene_text(path)))
     throw mpm::FileError(path, "is the result of another scene", "", "remove it, and run the study again");
   return mpm::read_result(path);
 }

@@ -25,7 +25,7 @@ namespace {
 using Shared = std::shared_ptr<const specimen::Specimen>;
 
 std::string key_of(const Settings& settings) {
-  return std::to_string(settings.scene.points_per_cell) + scene_text(settings, Extent::specimen, {});
+  return std::to_string(settings.scene.points_per_cell) + scene_values(settings, Extent::specimen);
 }
 
 Shared make(const Settings& settings) {
@@ -71,7 +71,7 @@ mpm::Result MemberCheckpoints::run(const mpm::Scene& scene, const mpm::Observer&
   hooks.observer = observer;
   hooks.checkpoints = {[this](const mpm::Checkpoint& checkpoint) { keep(checkpoint); }, interval};
   const CheckpointFolder::Found found = folder_.last();
-  if (found.last && found.last->file.scene_text == scene_text_) try {
+  if (found.last && found.last->file.scene_text == identity_) try {
       return mpm::resume(scene, found.last->file.checkpoint, hooks);
     } catch (const mpm::FileError&) {  // no checkpoint for this machine; those of the hooks throw nothing
     }
@@ -81,7 +81,7 @@ mpm::Result MemberCheckpoints::run(const mpm::Scene& scene, const mpm::Observer&
 
 void MemberCheckpoints::keep(const mpm::Checkpoint& checkpoint) {
   try {
-    folder_.write(checkpoint, scene_text_, "");
+    folder_.write(checkpoint, identity_, "");
   } catch (const mpm::FileError&) {  // the one before stays
   }
 }
@@ -147,9 +147,9 @@ class Runner {
 
   /// @return whether the run came to its end.
   bool solve(const Member& member) {
-    const Settings settings = member_settings(study_, member);
+    const Settings& settings = *member.settings;
     const mpm::Scene scene = build_scene(*specimens_.of(settings), settings);
-    MemberCheckpoints checkpoints(folder_.run_folder(member), member_scene(settings));
+    MemberCheckpoints checkpoints(folder_.run_folder(member), identity_text(settings));
     const mpm::Result result = checkpoints.run(scene, [this](const mpm::Progress&) { return goes_on(); });
     if (result.stop == mpm::StopReason::interrupted) return false;
     {
@@ -180,26 +180,21 @@ using Files = std::array<std::string, 3>;
 /// that is left to the run.
 class SampleSpecimens {
  public:
-  const std::optional<specimen::Specimen>& of(const Settings& settings) {
+  const std::optional<Prepared>& of(const Settings& settings) {
     const SpecimenChoice& choice = settings.specimen;
     const auto [found, is_new] =
         specimens_.try_emplace(Files{choice.file, choice.picture, choice.ellipses}, std::nullopt);
     if (!is_new) return found->second;
     try {
-      found->second = prepare_specimen(settings).specimen;
+      found->second = prepare_specimen(settings);
     } catch (const specimen::Error&) {
     }
     return found->second;
   }
 
  private:
-  std::map<Files, std::optional<specimen::Specimen>> specimens_;
+  std::map<Files, std::optional<Prepared>> specimens_;
 };
-
-void check_scene(const Settings& settings, specimen::Specimen specimen) {
-  (void)crop_to_cells(specimen, settings.scene.points_per_cell);
-  mpm::validate(build_scene(specimen, settings));
-}
 
 }  // namespace
 
@@ -207,8 +202,9 @@ void check_scenes(const Study& study, const std::vector<Member>& members) {
   SampleSpecimens specimens;
   for (const Member& member : members) {
     try {
-      const Settings settings = member_settings(study, member);
-      if (const auto& specimen = specimens.of(settings)) check_scene(settings, *specimen);
+      const Settings& settings = *member.settings;
+      if (const auto& specimen = specimens.of(settings))
+        (void)make_job(settings, fit_to_cells(*specimen, settings));
     } catch (const Rejected& rejected) {
       refuse_member(study, member, rejected.complaints);
     } catch (const mpm::Error& error) {

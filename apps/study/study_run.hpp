@@ -49,9 +49,9 @@ class SpecimenStore {
 /// an instruction set that the processor lacks) is passed over.
 class MemberCheckpoints {
  public:
-  /// @param folder  of the member alone.   @param scene_text  what its result depends on.
-  MemberCheckpoints(std::filesystem::path folder, std::string scene_text)
-      : path_(std::move(folder)), folder_(path_), scene_text_(std::move(scene_text)) {}
+  /// @param folder  of the member alone.   @param identity  identity_text() of its settings.
+  MemberCheckpoints(std::filesystem::path folder, std::string identity)
+      : path_(std::move(folder)), folder_(path_), identity_(std::move(identity)) {}
 
   /// From the last checkpoint, or from the start where there is none.   @throws what mpm::simulate() throws.
   [[nodiscard]] mpm::Result run(const mpm::Scene& scene, const mpm::Observer& observer);
@@ -64,7 +64,7 @@ class MemberCheckpoints {
 
   std::filesystem::path path_;
   CheckpointFolder folder_;
-  std::string scene_text_;
+  std::string identity_;
 };
 
 /// How far the runs are.

@@ -128,52 +128,42 @@ void try_on(const StudyParameter& parameter, const Value& value) {
   }
 }
 
-Value relative_to(const std::string& folder, const Value& value) {
-  const auto* text = std::get_if<std::string>(&value.data);
-  if (text == nullptr || text->empty()) return value;
-  return {(std::filesystem::path(folder) / *text).lexically_normal().string()};
-}
-
-void read_list(const toml::array& array, StudyParameter& parameter) {
-  for (const toml::node& node : array) {
-    std::optional<Value> value = value_of(node);
-    if (!value) throw Mistake("a table or a date in the list", forms);
-    if (parameter.fields.front().form.kind == Kind::path) value = relative_to(parameter.folder, *value);
-    try_on(parameter, *value);
-    if (std::find(parameter.levels.begin(), parameter.levels.end(), *value) != parameter.levels.end())
-      throw Mistake(toml_text(*value) + " stands there twice", "remove one");
-    parameter.levels.push_back(std::move(*value));
+void set_list(const Value::List& values, StudyParameter& parameter) {
+  for (Value value : values) {
+    if (parameter.fields.front().form.kind == Kind::path) value = within_folder(parameter.folder, value);
+    try_on(parameter, value);
+    if (std::find(parameter.levels.begin(), parameter.levels.end(), value) != parameter.levels.end())
+      throw Mistake(toml_text(value) + " stands there twice", "remove one");
+    parameter.levels.push_back(std::move(value));
   }
   if (parameter.levels.empty()) throw Mistake("no value in the list", forms);
 }
 
-void check_keys(const toml::table& table) {
-  for (const auto& [key, node] : table)
-    if (!is_spread_key(key.str())) {
-      const std::string name(key.str());
+using Ends = std::map<std::string, Value>;
+
+void check_keys(const Ends& ends) {
+  for (const auto& [name, value] : ends)
+    if (!is_spread_key(name)) {
       const std::string meant = did_you_mean(name, {spread_keys.begin(), spread_keys.end()});
       throw Mistake("unknown key " + printable(name), meant.empty() ? forms : meant);
     }
 }
 
-/// A number of the table in SI units; whole numbers as they are.
-double number_at(const toml::table& table, const char* key, const StudyParameter& parameter) {
-  const std::optional<Value> value = value_of(*table.get(key));
-  if (!value) throw Mistake(std::string(key) + ": a table or a date", forms);
+/// In SI units; whole numbers as they are.
+double number_at(const Ends& ends, const char* key, const StudyParameter& parameter) {
+  const Value& value = ends.at(key);
   const Measure* measure = measure_of(parameter);
   try {
-    if (measure == nullptr) return static_cast<double>(WholeNumberCodec().read(*value));
-    return QuantityCodec{measure->dimension, measure->bounds}.read(*value);
+    if (measure == nullptr) return static_cast<double>(WholeNumberCodec().read(value));
+    return QuantityCodec{measure->dimension, measure->bounds}.read(value);
   } catch (const Mistake& mistake) {
-    throw Mistake(std::string(key) + ": " + toml_text(*value) + ": " + mistake.allowed, mistake.cure);
+    throw Mistake(std::string(key) + ": " + toml_text(value) + ": " + mistake.allowed, mistake.cure);
   }
 }
 
-void read_steps(const toml::table& table, StudyParameter& parameter) {
-  const double from = number_at(table, "from", parameter), to = number_at(table, "to", parameter);
-  const std::optional<Value> steps = value_of(*table.get("steps"));
-  if (!steps) throw Mistake("steps: a table or a date", forms);
-  const auto count = IntegerCodec<>{between(2, 10'000)}.read(*steps);
+void set_steps(const Ends& ends, StudyParameter& parameter) {
+  const double from = number_at(ends, "from", parameter), to = number_at(ends, "to", parameter);
+  const auto count = IntegerCodec<>{between(2, 10'000)}.read(ends.at("steps"));
   if (!(from != to)) throw Mistake("from and to are the same", "write a list of one value");
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);
@@ -186,11 +176,11 @@ void read_steps(const toml::table& table, StudyParameter& parameter) {
   }
 }
 
-void read_range(const toml::table& table, StudyParameter& parameter) {
+void set_range(const Ends& ends, StudyParameter& parameter) {
   if (measure_of(parameter) == nullptr)
     throw Mistake("a range is for quantities", "list the values: they are sampled evenly");
-  parameter.low = number_at(table, "low", parameter);
-  parameter.high = number_at(table, "high", parameter);
+  parameter.low = number_at(ends, "low", parameter);
+  parameter.high = number_at(ends, "high", parameter);
   if (!(parameter.low < parameter.high)) throw Mistake("low must be less than high");
   for (const double end : {parameter.low, parameter.high}) try_on(parameter, written(parameter, end));
 }
@@ -201,22 +191,55 @@ bool is_spread_key(std::string_view key) {
   return std::find(spread_keys.begin(), spread_keys.end(), key) != spread_keys.end();
 }
 
-void read_values(const toml::node& node, StudyParameter& parameter) {
-  if (const toml::array* array = node.as_array()) return read_list(*array, parameter);
+Value within_folder(const std::string& folder, const Value& value) {
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text == nullptr || text->empty()) return value;
+  return {(std::filesystem::path(folder) / *text).lexically_normal().string()};
+}
+
+GivenValues given_values(const toml::node& node) {
+  if (const toml::array* array = node.as_array()) {
+    Value::List values;
+    for (const toml::node& item : *array) {
+      std::optional<Value> value = value_of(item);
+      if (!value) throw Mistake("a table or a date in the list", forms);
+      values.push_back(std::move(*value));
+    }
+    return values;
+  }
   const toml::table* table = node.as_table();
   if (table == nullptr) throw Mistake(forms);
-  check_keys(*table);
+  Ends ends;
+  for (const auto& [key, item] : *table) {
+    const std::string name(key.str());
+    const std::optional<Value> value = value_of(item);
+    if (!value && is_spread_key(name)) throw Mistake(name + ": a table or a date", forms);
+    ends[name] = value.value_or(Value());
+  }
+  return ends;
+}
+
+void set_values(const GivenValues& given, StudyParameter& parameter) {
+  if (const auto* list = std::get_if<Value::List>(&given)) return set_list(*list, parameter);
+  const Ends& ends = std::get<Ends>(given);
+  check_keys(ends);
   const auto has_only = [&](std::initializer_list<const char*> keys) {
-    return table->size() == keys.size() &&
-           std::all_of(keys.begin(), keys.end(), [&](const char* key) { return table->contains(key); });
+    return ends.size() == keys.size() &&
+           std::all_of(keys.begin(), keys.end(), [&](const char* key) { return ends.count(key) > 0; });
   };
   const bool steps = has_only({"from", "to", "steps"});
   if (!steps && !has_only({"low", "high"})) throw Mistake(forms);
   if (!takes_numbers(parameter)) throw Mistake("steps and ranges are for numbers", "list the values");
   if (steps)
-    read_steps(*table, parameter);
+    set_steps(ends, parameter);
   else
-    read_range(*table, parameter);
+    set_range(ends, parameter);
+}
+
+std::string values_text(const StudyParameter& parameter) {
+  if (!parameter.is_range()) return toml_text({parameter.levels});
+  return fmt::format("{{low = {}, high = {}}}", toml_text(written(parameter, parameter.low)),
+                     toml_text(written(parameter, parameter.high)));
 }
 
 }  // namespace app

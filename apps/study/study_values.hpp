@@ -3,8 +3,10 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <map>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "apps/study/study.hpp"
@@ -50,9 +52,20 @@ struct ReadableUnit {
 /// Whether a key is one of those that say how values spread: from, to, steps, low, high.
 [[nodiscard]] bool is_spread_key(std::string_view key);
 
-/// Read a list [1, 2, 3], equal steps {from, to, steps} or a range {low, high} into the parameter, whose
-/// fields are known, and try each value on all of them.
+/// A path that is relative to a folder, as the program takes it; what is no text stays as it is.
+[[nodiscard]] Value within_folder(const std::string& folder, const Value& value);
+
+/// A list [1, 2, 3], or equal steps {from, to, steps} or a range {low, high} by these keys.
+using GivenValues = std::variant<Value::List, std::map<std::string, Value>>;
+
+/// As a study file says it.   @throws Mistake for what is neither a list nor a table of values.
+[[nodiscard]] GivenValues given_values(const toml::node& node);
+
+/// Give the values to the parameter, whose fields are known, and try each of them on all fields.
 /// @throws Mistake.
-void read_values(const toml::node& node, StudyParameter& parameter);
+void set_values(const GivenValues& given, StudyParameter& parameter);
+
+/// The same the other way: values that a study file gives the parameter, as TOML.
+[[nodiscard]] std::string values_text(const StudyParameter& parameter);
 
 }  // namespace app

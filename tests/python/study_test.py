@@ -146,6 +146,15 @@ class Study(unittest.TestCase):
             mesopix.study(samples.specimen(), {**FAST, "loading.velocity": 0.2}, output="study", seeds=2)
         self.assertEqual(len(mesopix.study(samples.specimen(), FAST, output="study", seeds=2)), 2)
 
+    def test_knows_a_specimen_whose_history_is_worded_otherwise(self):
+        mesopix.study(samples.specimen(), FAST, output="study", seeds=1)
+        with open("study/specimen.h5", "rb") as file:
+            kept = file.read()
+        self.assertEqual(kept.count(b"# of the random aggregates"), 1)
+        with open("study/specimen.h5", "wb") as file:
+            file.write(kept.replace(b"# of the random aggregates", b"# of aggregates at random "))
+        self.assertEqual(len(mesopix.study(samples.specimen(), FAST, output="study", seeds=1)), 1)
+
     def test_arrays_outlive_the_study(self):
         study = mesopix.study(samples.specimen(), FAST, output="study", seeds=2)
         peaks, stress, counts = study.table["peak_stress"], study.curves[0].stress, study.crack_counts

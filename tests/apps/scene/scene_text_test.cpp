@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
+#include <set>
+#include <sstream>
+
 #include "apps/scene/scene_file.hpp"
 #include "apps/settings/schema.hpp"
 #include "apps/text/complaint.hpp"
@@ -146,6 +151,106 @@ TEST(SceneText, ForTheSpecimenSaysNothingOfTheLoading) {
   EXPECT_THAT(toml, HasSubstr("[generate]"));
   EXPECT_THAT(toml, Not(HasSubstr("[loading]")));
   EXPECT_THAT(toml, Not(HasSubstr("[phases")));
+}
+
+/// A setting, a little larger in SI units; nothing where that is no number or not allowed.
+template <class T>
+std::optional<T> nudged(const app::FieldOf<T>& field, T object) {
+  if (!field.form.measure) return {};
+  const app::Dimension dimension = field.form.measure->dimension;
+  try {
+    app::Value value = field.get(object);
+    const auto* text = std::get_if<std::string>(&value.data);
+    const double number =
+        text == nullptr ? std::get<double>(value.data) : app::parse_quantity(*text, dimension);
+    const double larger = std::nextafter(number, 1e300);
+    field.set(object,
+              text == nullptr ? app::Value{larger} : app::Value{app::format_quantity(larger, dimension)});
+    return object;
+  } catch (const app::Mistake&) {  // a word, or the largest that is allowed
+    return {};
+  }
+}
+
+TEST(SceneValues, ChangeWithTheLastBitOfAnySetting) {
+  const app::Settings settings = unusual_settings();
+  const std::string values = app::scene_values(settings, app::Extent::whole);
+  EXPECT_EQ(app::scene_values(there_and_back(settings, "out"), app::Extent::whole), values);
+  int changed = 0;
+  for (const app::Field& field : app::fields())
+    if (const auto other = nudged(field, settings); other && app::why_unused(field.key, settings).empty()) {
+      EXPECT_NE(app::scene_values(*other, app::Extent::whole), values) << field.key;
+      ++changed;
+    }
+  EXPECT_GE(changed, 15);
+  for (const app::PhaseField& property : app::phase_fields())
+    if (const auto phase = nudged(property, settings.phases[1])) {
+      app::Settings other = settings;
+      other.phases[1] = *phase;
+      EXPECT_NE(app::scene_values(other, app::Extent::whole), values) << property.key;
+    }
+}
+
+TEST(SceneValues, ChangeWithListsAndWords) {
+  std::set<std::string> texts;
+  const auto add = [&](const app::Settings& settings) {
+    EXPECT_TRUE(texts.insert(app::scene_values(settings, app::Extent::whole)).second);
+  };
+  app::Settings settings;
+  add(settings);
+  settings.scene.loading.platen = mpm::Platen::rough;
+  add(settings);
+  settings.grading.classes = {{8e-3, 16e-3, 0.7}, {4e-3, 8e-3, 0.3}};
+  add(settings);
+  settings.grading.classes[1].d_min = std::nextafter(4e-3, 1);
+  add(settings);
+  settings = {};
+  settings.specimen.ellipse_list = {{0.02, 0.03, 0.01, 0.005, 0.3}, {0.05, 1.0 / 30, 0.01, 0.005, 0}};
+  add(settings);
+  settings.specimen.ellipse_list[1].angle = 1e-300;
+  add(settings);
+}
+
+TEST(SceneValues, AreNumbersInSiUnitsSortedByKeyAndSayNothingElse) {
+  app::Settings settings;
+  settings.scene.loading.velocity = 0.05;
+  settings.grading.classes = {{8e-3, 16e-3, 0.7}, {4e-3, 8e-3, 0.3}};
+  const std::string values = app::scene_values(settings, app::Extent::whole);
+  for (const char* line :
+       {"\ngenerate.classes = [0.008, 0.016, 0.7, 0.004, 0.008, 0.3]\n", "\ngenerate.pixel_size = 0.0005\n",
+        "\nitz.mode = \"ring\"\n", "\nitz.thickness = \"auto\"\n", "\nloading.velocity = 0.05\n",
+        "\nitz.segments = 36\n"})
+    EXPECT_THAT(values, HasSubstr(line));
+  for (const app::Field& field : app::fields()) EXPECT_THAT(values, Not(HasSubstr(field.help))) << field.key;
+  std::istringstream lines(values);
+  std::string before;
+  for (std::string line; std::getline(lines, line); before = line) {
+    EXPECT_LT(before.substr(0, before.find(' ')), line.substr(0, line.find(' ')));
+    EXPECT_THAT(line, testing::ContainsRegex("^[a-z0-9_.]+ = (-?[0-9.e-]+|true|false|\".*\"|\\[.*\\])$"));
+  }
+}
+
+/// Written down once: of a text that another version of the program words otherwise, kept studies know
+/// nothing.
+TEST(SceneValues, HaveAWordingThatStays) {
+  app::Settings settings;
+  settings.specimen.picture = "folder/cut.png";
+  settings.specimen.sha256 = "abc";
+  settings.itz.segments = 12;
+  EXPECT_THAT(app::scene_values(settings, app::Extent::specimen),
+              testing::AllOf(testing::StartsWith("convert."), HasSubstr("\nellipses = []\n"),
+                             HasSubstr("\nitz.segments = 12\nitz.thickness = \"auto\"\n"
+                                       "specimen.picture = \"cut.png\"\nspecimen.sha256 = \"abc\"\n")));
+}
+
+TEST(SceneText, AsWrittenIsWhatItsReaderGives) {
+  const app::Settings settings = unusual_settings();
+  const app::Resolved written = app::as_written(settings);
+  const app::Resolved read =
+      app::resolve(app::parse_scene(app::scene_text(settings, app::Extent::whole, "."), "scene.toml"), {});
+  ASSERT_EQ(written.origins.size(), read.origins.size());
+  for (const auto& [key, given] : read.origins)
+    EXPECT_EQ(app::toml_text(written.origins.at(key).value), app::toml_text(given.value)) << key;
 }
 
 TEST(SceneText, TellsWhatEachSettingIs) {

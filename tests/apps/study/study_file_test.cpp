@@ -52,6 +52,22 @@ TEST(StudyFile, SaysWhatVaries) {
   EXPECT_EQ(number_of(plan.parameters[2], plan.parameters[2].levels[1]), 1.5);
 }
 
+TEST(StudyFile, APlanIsWrittenAsItWasRead) {
+  for (const char* text :
+       {"scene = \"sub/a.toml\"\nseeds = 3\n",
+        "title = \"Mine\"\nscene = \"a.toml\"\nsampling = \"latin_hypercube\"\nsamples = 8\n"
+        "sampling_seed = 4\nseeds = [7, 2]\nseed_of = [\"damage\"]\n\n[vary]\n"
+        "\"generate.width + generate.height\" = {low = \"50 mm\", high = \"80 mm\"}\n"
+        "\"motion.flip_ratio\" = [1, 0.9]\n\"loading.platen\" = [\"rough\", \"smooth\"]\n"})
+    EXPECT_EQ(plan_text(parse_study(text, "folder/study.toml"), "folder"), text);
+  const StudyPlan steps = parse_study(
+      "scene = \"a.toml\"\n[vary]\n\"loading.velocity\" = {from = \"0.1 m/s\", to = \"0.3 m/s\", steps = "
+      "2}\n",
+      "study.toml");
+  EXPECT_EQ(plan_text(steps, ""),
+            "scene = \"a.toml\"\n\n[vary]\n\"loading.velocity\" = [\"0.1 m/s\", \"0.3 m/s\"]\n");
+}
+
 TEST(StudyFile, TakesAListOfSeeds) {
   EXPECT_THAT(parse_study("scene = \"a.toml\"\nseeds = [4, 9]\n", "s.toml").seeds, ElementsAre(4, 9));
 }

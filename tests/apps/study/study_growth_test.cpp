@@ -33,7 +33,7 @@ TEST(StudyGrowth, PointsAreEstimatedOnTheirOwn) {
   StudyResults results;
   std::vector<Member> members;
   for (std::size_t i = 0; i < 6; ++i) {
-    members.push_back({i, i % 2, {}, i / 2, ""});
+    members.push_back({i, i % 2, {}, i / 2});
     results.outcomes.emplace_back().state = i == 5 ? MemberState::failed : MemberState::done;
     results.outcomes.back().figures.peak_stress = i % 2 == 0 ? 10.0 + static_cast<double>(i) : 7;
   }

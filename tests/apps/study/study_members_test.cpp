@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "tests/apps/small_study.hpp"
@@ -23,7 +24,7 @@ TEST(StudyMembers, AllPointsWithTheFirstSeedComeFirst) {
   EXPECT_EQ(name_of(study, members[1]), "member 1 (solver.cfl = 0.8, seed 3)");
   EXPECT_EQ(name_of(study, members[2]), "member 2 (solver.cfl = 0.5, seed 8)");
   EXPECT_EQ(members[3].point, 1U);
-  const Settings settings = member_settings(study, members[3]);
+  const Settings settings = *members[3].settings;
   EXPECT_EQ(settings.scene.cfl, 0.8);
   EXPECT_EQ(settings.scene.damage.seed, 8U);
   EXPECT_EQ(settings.packing.seed, 8U);
@@ -33,7 +34,7 @@ TEST(StudyMembers, AllPointsWithTheFirstSeedComeFirst) {
 TEST(StudyMembers, SeedsOfOneTableLeaveTheOtherAsItIs) {
   const test::TemporaryFolder folder;
   const Study study = test::small_study(folder, "seeds = [3, 8]\nseed_of = [\"damage\"]\n");
-  const Settings settings = member_settings(study, list_members(study)[1]);
+  const Settings settings = *list_members(study)[1].settings;
   EXPECT_EQ(settings.scene.damage.seed, 8U);
   EXPECT_EQ(settings.packing.seed, 1U);
 }
@@ -42,7 +43,7 @@ TEST(StudyMembers, ParametersThatAreJoinedShareTheirValue) {
   const test::TemporaryFolder folder;
   const Study study =
       test::small_study(folder, "[vary]\n\"generate.width + generate.height\" = [\"20 mm\"]\n");
-  const Settings settings = member_settings(study, list_members(study).front());
+  const Settings settings = *list_members(study).front().settings;
   EXPECT_EQ(settings.packing.width, 0.02);
   EXPECT_EQ(settings.packing.height, 0.02);
 }
@@ -114,6 +115,35 @@ TEST(StudyMembers, RefusesAggregatesThatNoSpecimenHas) {
     FAIL();
   } catch (const Rejected& rejected) {
     EXPECT_THAT(app::text(rejected.complaints.front()), HasSubstr("in member 1 (generate.d_min = 9 mm)"));
+  }
+}
+
+TEST(StudyMembers, IdsComeFromValuesAndNotFromTheirWording) {
+  const test::TemporaryFolder folder;
+  const Study study = test::small_study(folder, two_by_two);
+  const std::vector<Member> members = list_members(study);
+  const Settings& settings = *members[2].settings;
+  EXPECT_EQ(members[2].id, identity_of(settings));
+  EXPECT_THAT(identity_text(settings), Not(HasSubstr("#"))) << "no help";
+  EXPECT_THAT(identity_text(settings), HasSubstr("\ngenerate.width = 0.016\n"));
+  Settings other = settings;
+  other.title = "T";
+  EXPECT_EQ(identity_of(other), members[2].id);
+  other.scene.loading.velocity = std::nextafter(other.scene.loading.velocity, 1);
+  EXPECT_NE(identity_of(other), members[2].id);
+}
+
+TEST(StudyMembers, ThoseOfFewerSeedsStayAsTheyAreWhenItGrows) {
+  const test::TemporaryFolder folder;
+  Study study = test::small_study(folder, two_by_two);
+  const std::vector<Member> before = list_members(study);
+  study.plan.seeds.push_back(9);
+  const std::vector<Member> grown = list_members(study, before), anew = list_members(study);
+  ASSERT_EQ(grown.size(), 6U);
+  EXPECT_EQ(grown[3].settings, before[3].settings);
+  for (std::size_t i = 0; i < grown.size(); ++i) {
+    EXPECT_EQ(grown[i].id, anew[i].id);
+    EXPECT_EQ(name_of(study, grown[i]), name_of(study, anew[i]));
   }
 }
 

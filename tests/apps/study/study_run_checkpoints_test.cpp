@@ -18,7 +18,7 @@ class MemberCheckpointsTest : public testing::Test {
  protected:
   MemberCheckpointsTest() {
     const Study study = test::small_study(files_, "seeds = [3]\n");
-    const Settings settings = member_settings(study, list_members(study).front());
+    const Settings settings = *list_members(study).front().settings;
     scene_ = build_scene(prepare_specimen(settings).specimen, settings);
   }
 

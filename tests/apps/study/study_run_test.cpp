@@ -45,7 +45,7 @@ TEST_F(StudyRun, AMemberIsWhatSimulateMakesOfItsScene) {
   run("seeds = [7]\n", 1);
   const mpm::Result result = mpm::read_result(folder_.result_file(members_[0]).string());
   EXPECT_EQ(mpm::read_scene_text(folder_.result_file(members_[0]).string()),
-            member_scene(member_settings(study_, members_[0])));
+            member_scene(*members_[0].settings));
   EXPECT_GT(result.peak_stress, 0);
   EXPECT_EQ(result.threads, 1);
 }
@@ -118,6 +118,35 @@ TEST_F(StudyRun, AFailureOfTheFirstMemberLeavesAReport) {
   run("[vary]\n\"generate.fraction\" = [0.89, 0.3]\n", 1);
   write_study_report(folder_, study_, members_, read_results(folder_, members_));
   EXPECT_THAT(test::read_text(folder_.file("report.html").string()), HasSubstr("1 member failed"));
+}
+
+TEST_F(StudyRun, TellsAFolderApartWhoseMembersAnotherVersionHasNamed) {
+  const auto refusal = [&] {
+    try {
+      folder_.open(study_, members_);
+    } catch (const Rejected& rejected) {
+      EXPECT_EQ(rejected.code, Exit::data);
+      return std::string(rejected.what());
+    }
+    return std::string();
+  };
+  run("seeds = 1\n", 1);
+  EXPECT_EQ(refusal(), "");
+  test::write_text(folder_.file("format.json"), "{\"format\": 3}");
+  EXPECT_THAT(refusal(), HasSubstr("holds members kept by a newer version of mesopix"));
+  test::write_text(folder_.file("format.json"), "{\"format\": true}");
+  EXPECT_THAT(refusal(), HasSubstr("format.json: says no format"));
+  std::filesystem::remove(folder_.file("format.json"));
+  EXPECT_EQ(refusal(),
+            "-o: " + folder_.path().string() +
+                "; holds members kept by an older version of mesopix, which have another identity; "
+                "run the study anew in a folder of its own, mesopix study " +
+                study_.file.path + " -o " + folder_.path().string() +
+                "-new; what is in this one, its table too, stays as it is");
+  EXPECT_TRUE(folder_.has_result(members_[0]));
+  std::filesystem::remove(folder_.result_file(members_[0]));  // nothing is left that could be mixed
+  EXPECT_EQ(refusal(), "");
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("format.json")));
 }
 
 TEST_F(StudyRun, RefusesAResultThatIsNotThatOfTheMember) {
