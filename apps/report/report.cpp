@@ -16,7 +16,7 @@ std::string report_html(const RunRecord& record) {
                    header_html(record) + curve_section(record) + error_section(record) +
                        film_section(record) + damage_section(record) + specimen_section(record) +
                        ledger_section(record) + solution_section(record) + notes_section(record) +
-                       scene_section(record) + citation_section(record),
+                       scene_section(record) + glossary_section() + citation_section(record),
                    report_data(record));
 }
 
