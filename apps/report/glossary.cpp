@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <array>
 
-#include "apps/report/report_sections.hpp"
 #include "apps/report/report_parts.hpp"
+#include "apps/report/report_sections.hpp"
 #include "apps/text/markup.hpp"
 
 namespace output {
@@ -16,7 +16,8 @@ struct Term {
 
 constexpr std::array terms{
     Term{"ITZ",
-         "Interfacial transition zone: the thin, weak layer of mortar around each aggregate. Drawn as a ring of "
+         "Interfacial transition zone: the thin, weak layer of mortar around each aggregate. Drawn as a ring "
+         "of "
          "pixels, or as extra points."},
     Term{"material point", "The piece of material of one pixel. It carries mass, stress and damage."},
     Term{"ghost point", "A material point that has failed: it keeps its mass and carries no stress."},
@@ -26,10 +27,12 @@ constexpr std::array terms{
     Term{"platen strain, stress",
          "Displacement of the top platen over the height; mean reaction of both platens over the width."},
     Term{"Weibull scale, modulus",
-         "The two parameters of the random strengths. 63.2 % of the points are weaker than the scale; a larger "
+         "The two parameters of the random strengths. 63.2 % of the points are weaker than the scale; a "
+         "larger "
          "modulus means less scatter."},
     Term{"seed",
-         "The number that fixes all random draws. Another seed is another specimen, or other strengths, of the "
+         "The number that fixes all random draws. Another seed is another specimen, or other strengths, of "
+         "the "
          "same kind."},
     Term{"tension, shear failure",
          "Largest principal stress above the tensile strength; Mohr-Coulomb criterion with cohesion and "
@@ -55,7 +58,8 @@ constexpr std::array terms{
     Term{"time step, CFL number",
          "The CFL number is the time step over the time that the fastest wave takes to cross a cell."},
     Term{"energy ledger",
-         "The balance of a run: work of the platens = kinetic + elastic + released + damped energy + energy of "
+         "The balance of a run: work of the platens = kinetic + elastic + released + damped energy + energy "
+         "of "
          "points that left. Its largest error is energy_error."},
 };
 

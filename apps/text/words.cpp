@@ -65,6 +65,10 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
   return result;
 }
 
+std::string counted(std::int64_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 }  // namespace app
 
 namespace output {

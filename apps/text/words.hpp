@@ -1,6 +1,7 @@
-/// Words for people: lists, names of phases, and "did you mean ...?"
+/// Words for people: lists, counts, names of phases, and "did you mean ...?"
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ namespace app {
 
 /// "a, b or c".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names, const char* last = "or");
+
+/// "1 aggregate", "151 aggregates"; for nouns whose plural ends with an s.
+[[nodiscard]] std::string counted(std::int64_t count, std::string_view noun);
 
 }  // namespace app
 
