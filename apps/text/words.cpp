@@ -65,8 +65,13 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
   return result;
 }
 
+std::string noun_for(std::int64_t count, std::string_view noun) {
+  if (count == 1) return std::string(noun);
+  return std::string(noun) + (noun.ends_with('s') ? "es" : "s");
+}
+
 std::string counted(std::int64_t count, std::string_view noun) {
-  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+  return std::to_string(count) + " " + noun_for(count, noun);
 }
 
 }  // namespace app

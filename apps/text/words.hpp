@@ -22,7 +22,10 @@ namespace app {
 /// "a, b or c".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names, const char* last = "or");
 
-/// "1 aggregate", "151 aggregates"; for nouns whose plural ends with an s.
+/// "aggregate" for 1, "aggregates" for other counts; for nouns with a regular plural.
+[[nodiscard]] std::string noun_for(std::int64_t count, std::string_view noun);
+
+/// "1 aggregate", "151 aggregates", "2 classes".
 [[nodiscard]] std::string counted(std::int64_t count, std::string_view noun);
 
 }  // namespace app

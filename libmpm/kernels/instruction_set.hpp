@@ -41,7 +41,7 @@ class FlushToZero {
 [[nodiscard]] std::vector<const kernels::Kernels*> available_kernels();
 
 /// The kernels of that name, or the fastest ones for an empty name.
-/// @throws Error when this processor runs none of that name.
+/// @throws Error when this processor supports none of that name.
 [[nodiscard]] const kernels::Kernels& chosen_kernels(std::string_view name);
 
 /// The kernels of moving points of the same instruction set.

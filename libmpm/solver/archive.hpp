@@ -85,14 +85,14 @@ class ArchiveReader {
     static_assert(std::is_floating_point_v<Real>);
     Real number = 0;
     if (!raw(&number, 1)) return;
-    if (!std::isfinite(number)) return fail("a number that is none");
+    if (!std::isfinite(number)) return fail("a value that is not a number");
     value = number;
   }
   template <class Whole>
   void whole(Whole& value, std::int64_t low, std::int64_t high) {
     std::int64_t number = 0;
     if (!raw(&number, 1)) return;
-    if (number < low || number > high) return fail("a number out of its range");
+    if (number < low || number > high) return fail("a number out of range");
     value = static_cast<Whole>(number);
   }
   void flag(bool& value) {
@@ -142,7 +142,7 @@ class ArchiveReader {
   }
   /// Nothing may be left.
   void finish() {
-    if (!bytes_.empty()) fail("bytes behind its end");
+    if (!bytes_.empty()) fail("bytes after its end");
   }
   [[nodiscard]] bool ok() const { return fault_.empty(); }
   [[nodiscard]] const std::string& fault() const { return fault_; }

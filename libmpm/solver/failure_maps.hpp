@@ -69,7 +69,7 @@ void pass_maps(Archive& archive, Maps& maps) {
     const std::uint8_t* first = maps.failure_mode.data();
     if (!std::all_of(first, first + maps.failure_mode.size(), is_mode) ||
         !std::all_of(maps.extra_failure_mode.begin(), maps.extra_failure_mode.end(), is_mode))
-      archive.fail("a failure of no mode");
+      archive.fail("a failure without a mode");
   }
 }
 

@@ -38,6 +38,7 @@ TEST(Counted, HasThePluralForAllButOne) {
   EXPECT_EQ(app::counted(0, "aggregate"), "0 aggregates");
   EXPECT_EQ(app::counted(1, "aggregate"), "1 aggregate");
   EXPECT_EQ(app::counted(151, "aggregate"), "151 aggregates");
+  EXPECT_EQ(app::counted(2, "class"), "2 classes");
 }
 
 }  // namespace words_test
