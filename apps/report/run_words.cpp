@@ -147,13 +147,11 @@ std::string meaning_of_curve(const mpm::Scene& scene) {
 }
 
 std::string meaning_of_energy(const mpm::Scene& scene) {
-  std::string text = has_platens(scene) ? "The energy ledger: the work of the platens becomes elastic "
-                                          "energy, kinetic energy, energy released "
-                                          "by failing points"
-                                        : "The energy ledger: the initial kinetic energy becomes elastic "
-                                          "energy, energy released by failing "
-                                          "points, or remains";
-  text += scene.local_damping > 0 ? ", or is damped." : ".";
+  std::vector<std::string> parts{"elastic energy", "kinetic energy", "energy released by failing points"};
+  if (scene.local_damping > 0) parts.emplace_back("damped energy");
+  std::string text =
+      fmt::format("The energy ledger: {} is the sum of {}.",
+                  has_platens(scene) ? "the work of the platens" : "the initial energy", listed(parts));
   if (scene.kinematics != mpm::Kinematics::small_strain)
     text += " Any difference is numerical dissipation of the moving points.";
   return text;
