@@ -259,7 +259,7 @@ TEST_F(SpecimenFileHeap, OfASpecimenIsSound) { EXPECT_TRUE(heaps_are_sound(path)
 
 TEST_F(SpecimenFileHeap, ThatHasNoEndIsRefused) {
   const std::string refused =
-      "lengths in a heap of its texts are wrong; the file is damaged: take a copy of it, or make the "
+      "lengths in a heap of its texts are wrong; the file is damaged: use a copy, or make the "
       "specimen again";
   EXPECT_EQ(with_object(0, 0), refused);
   EXPECT_EQ(with_object(1, ~std::uint64_t{0} - 15), refused);
