@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "apps/text/words.hpp"
 #include "specimen/describe/statistics.hpp"
 
 namespace app {
@@ -86,8 +87,11 @@ std::string sieve_text(const Json& rows) {
 
 std::string aggregates_text(const Json& aggregates) {
   if (aggregates["count"] == 0) return "no aggregates\n";
-  return fmt::format("{} aggregates of {} to {}, {} of the area\n", aggregates["count"].get<int>(),
-                     millimetres(aggregates["smallest_m"]), millimetres(aggregates["largest_m"]),
+  const std::string smallest = millimetres(aggregates["smallest_m"]);
+  const std::string largest = millimetres(aggregates["largest_m"]);
+  return fmt::format("{} of {}, {} of the area\n",
+                     counted(aggregates["count"].get<std::int64_t>(), "aggregate"),
+                     smallest == largest ? largest : smallest + " to " + largest,
                      percent(aggregates["area_fraction"])) +
          sieve_text(aggregates["sieve"]);
 }

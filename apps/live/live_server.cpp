@@ -43,7 +43,7 @@ constexpr int largest_request = 1;  ///< [bytes] of content: there is none to se
 
 constexpr const char* too_early =
     "<!DOCTYPE html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"1\">"
-    "<title>The run begins</title><p>The run begins …</p>";
+    "<title>The run is starting</title><p>The run is starting …</p>";
 
 /// As it is: to compress it for a reader on the same machine would only take time from the run.
 void send(httplib::Response& response, std::string body, const char* type) {
@@ -133,8 +133,8 @@ LiveServer::LiveServer(int port, LiveAnswers answers) : parts_(std::make_unique<
   parts_->port = port > 0 ? (parts_->server.bind_to_port(host, port) ? port : -1)
                           : parts_->server.bind_to_any_port(host);
   if (parts_->port <= 0)
-    throw Rejected(Exit::io, complaint("--port", std::to_string(port), "is in use, or not ours to use",
-                                       "leave it out: any port that is free is taken"));
+    throw Rejected(Exit::io, complaint("--port", std::to_string(port), "is in use or not permitted",
+                                       "omit it to use any free port"));
   parts_->listener = std::thread([parts = parts_.get()] { parts->server.listen_after_bind(); });
   while (!parts_->server.is_running())
     std::this_thread::yield();  // else stop() would come too early to be heard

@@ -32,7 +32,8 @@ std::string watching_html(const RunRecord& record, const Stage& stage) {
   return watching_page(title_of(record),
                        header_html(record) + bar(stage) + curve_section(record) + film_section(record) +
                            ledger_section(record) + specimen_section(record) + solution_section(record) +
-                           notes_section(record) + scene_section(record) + citation_section(record),
+                           notes_section(record) + scene_section(record) + glossary_section() +
+                           citation_section(record),
                        report_data(record));
 }
 

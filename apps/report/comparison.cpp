@@ -62,7 +62,7 @@ std::vector<Figure> figures(const StrainUnit& unit) {
       {"Failures in shear", "points", [](const mpm::Result& r) { return double(r.shear_failures); }},
       {"Material points", "points", [](const mpm::Result& r) { return double(r.points); }},
       {"Steps", "steps", [](const mpm::Result& r) { return double(r.steps); }},
-      {"Time of the loop", "s", [](const mpm::Result& r) { return r.wall_time; }},
+      {"Wall time", "s", [](const mpm::Result& r) { return r.wall_time; }},
   };
 }
 
@@ -90,11 +90,11 @@ std::string figure_table(const Runs& runs, const StrainUnit& unit) {
       row.push_back(with_distance(figure.of(run.result), first, &run == &runs.front()));
     rows.push_back(std::move(row));
   }
-  return number_table(head(runs, "In brackets: from the first run"), rows);
+  return number_table(head(runs, "In brackets: difference from the first run"), rows);
 }
 
 std::string setting_table(const Runs& runs, const std::vector<ComparedSetting>& settings) {
-  if (settings.empty()) return paragraph("The scenes are the same.");
+  if (settings.empty()) return paragraph("The scenes are identical.");
   std::vector<std::vector<std::string>> rows;
   for (const ComparedSetting& setting : settings) {
     rows.push_back({setting.key});
@@ -109,7 +109,7 @@ std::string comparison_html(const Runs& runs, const std::vector<ComparedSetting>
   const std::string title = "Comparison of " + std::to_string(runs.size()) + " runs";
   const StrainUnit unit = common_unit(runs);
   const Chart chart = curves(runs, unit);
-  const std::string caption = "Positive in the direction in which each specimen was loaded.";
+  const std::string caption = "Stress and strain are positive in the loading direction of each run.";
   const nlohmann::ordered_json data = {{"strain", {{"name", unit.name}, {"per_strain", unit.per_strain}}},
                                        {"csv", nullptr},
                                        {"charts", {{"stress", chart_json(chart)}}},
@@ -118,7 +118,7 @@ std::string comparison_html(const Runs& runs, const std::vector<ComparedSetting>
                    heading(title, std::string("mesopix ") + app::version()) +
                        section("Stress and strain", chart_figure("stress", chart, 900, 480, caption)) +
                        section("Key figures", figure_table(runs, unit)) +
-                       section("What sets the scenes apart", setting_table(runs, settings)),
+                       section("Differences between the scenes", setting_table(runs, settings)),
                    inert_text(data));
 }
 

@@ -1,4 +1,4 @@
-// How wrong the peak of a run may be.
+// The report of a run, and its section on the error of the peak.
 #include "apps/report/report.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ std::string report_html(const RunRecord& record) {
                    header_html(record) + curve_section(record) + error_section(record) +
                        film_section(record) + damage_section(record) + specimen_section(record) +
                        ledger_section(record) + solution_section(record) + notes_section(record) +
-                       scene_section(record) + citation_section(record),
+                       scene_section(record) + glossary_section() + citation_section(record),
                    report_data(record));
 }
 
@@ -43,21 +43,20 @@ std::string error_section(const RunRecord& record) {
   std::vector<std::vector<std::string>> rows;
   for (const ErrorSource& source : estimate.sources) rows.push_back(row_of(source, unit));
   return section(
-      "How wrong the peak may be",
+      "Error of the peak",
       paragraph(fmt::format(
-          "By {} in stress and {} in strain, if all of it points the same way: estimated from {} "
-          "that took {} s.",
+          "At most {} in stress and {} in strain, if all errors have the same sign; estimated from {} "
+          "in {} s.",
           error_text(estimate.stress_error()), error_text(estimate.strain_error()),
           estimate.sources.size() == 1 ? "a second run" : "further runs", rounded(estimate.wall_time(), 2))) +
-          number_table({"Source", "Compared with", "Peak MPa", "at " + unit.name, "Error of stress",
-                        "of strain", "Took s"},
+          number_table({"Source", "Compared with", "Peak stress [MPa]", "Peak strain [" + unit.name + "]",
+                        "Error of stress", "Error of strain", "Wall time [s]"},
                        rows) +
           "<div class=\"remarks\">\n" +
-          paragraph("The material law, its parameters and the picture are taken as they are. Where points "
-                    "fail at one "
-                    "blow, a different order of failures moves the peak by some tenths of a per cent in any "
-                    "case, and "
-                    "a coarser picture has another random field.") +
+          paragraph(
+              "The estimate covers the numerics only, not the material law, its parameters or the picture. "
+              "With brittle phases a different order of failures alone changes the peak by some tenths of a "
+              "per cent, and a coarser picture has another random strength field.") +
           "</div>\n");
 }
 

@@ -69,11 +69,11 @@ std::string remarks(const RunRecord& record, const DamageStages& stages) {
   const std::string missing = missing_note(stages);
   if (!missing.empty()) html += paragraph(missing);
   if (!record.scene.extra_points.empty())
-    html +=
-        paragraph("Extra ITZ points have no pixel: the pictures and the counts below them leave them out.");
+    html += paragraph(
+        "Extra ITZ points have no pixel: the pictures and the counts below them do not include them.");
   if (record.result.crush_strain.size() > 0)
     html += paragraph(
-        "A point that cracked and was crushed later is drawn as failed in shear and counts in both.");
+        "A point that cracked and was crushed later is drawn as failed in shear and counted in both.");
   return html;
 }
 
@@ -112,9 +112,9 @@ constexpr const char* controls = R"html(<p class="readout" id="film-counts"></p>
 <button type="button" id="film-whole">Whole specimen</button></p>
 <p class="controls"><button type="button" id="film-png">Save as PNG</button>
 <button type="button" id="film-gif">Save as animated GIF</button></p>
-<p class="remarks" id="film-help">Point at a pixel to see what it is and when it failed. The wheel or + and − zoom,
-dragging or the arrow keys move the picture, 0 shows all of it, the space bar plays. A click on a curve goes to that
-strain.</p>
+<p class="remarks" id="film-help">Point at a pixel to see its phase, its strength and when it failed. Zoom with the wheel or
++ and −, move by dragging or with the arrow keys, show everything with 0, play with the space bar. Click on a curve to go
+to that strain.</p>
 )html";
 
 }  // namespace
@@ -124,8 +124,8 @@ std::string film_section(const RunRecord& record) {
   if (!has_film(record)) return "";
   std::string beside = "<p class=\"legend\" id=\"film-legend\"></p>\n" + std::string(controls);
   if (record.result.end_x.size() > 0)
-    beside += paragraph("The film shows each point at its place in the specimen before it moved.");
-  return "<section id=\"film\" hidden=\"hidden\">\n<h2>The film of the damage</h2>\n" +
+    beside += paragraph("The film shows each point at its initial position.");
+  return "<section id=\"film\" hidden=\"hidden\">\n<h2>Film of the damage</h2>\n" +
          side_by_side("lead", screen, beside) + "</section>\n";
 }
 

@@ -27,9 +27,13 @@ std::string size_in_pixels(const specimen::LabelledMask& mask) {
   return grouped(mask.labels.cols) + " × " + grouped(mask.labels.rows);
 }
 
+Fact count_fact(const std::string& name, std::int64_t count, const char* noun) {
+  return {name, grouped(count), app::noun_for(count, noun)};
+}
+
 std::vector<Fact> failure_facts(const mpm::Result& result) {
-  return {{"Failures in tension", grouped(result.tension_failures), "points"},
-          {"Failures in shear", grouped(result.shear_failures), "points"}};
+  return {count_fact("Failures in tension", result.tension_failures, "point"),
+          count_fact("Failures in shear", result.shear_failures, "point")};
 }
 
 /// What the last row of the history stands for.
@@ -53,7 +57,7 @@ std::vector<Fact> flight_facts(const RunRecord& record, const mpm::HistoryRow& e
   return {{"Peak stress on the walls", rounded(1e-6 * result.peak_stress), "MPa"},
           {"Nominal strain at the peak", rounded(unit.per_strain * result.peak_strain), unit.name},
           {"Time" + when(record), rounded(1e3 * end.time), "ms"},
-          {"Kinetic energy at the start", rounded(at_start), "J/m"},
+          {"Initial kinetic energy", rounded(at_start), "J/m"},
           {"Kinetic energy" + when(record), rounded(end.kinetic), "J/m"}};
 }
 
@@ -70,10 +74,10 @@ std::vector<Fact> motion_facts(const RunRecord& record, const mpm::HistoryRow& e
   const StrainUnit unit = strain_unit(record.result);
   const mpm::HistoryRow* row = first_row_in_motion(record.result);
   if (record.scene.kinematics == mpm::Kinematics::automatic)
-    facts.push_back(row == nullptr
-                        ? Fact{"Points move", "never"}
-                        : Fact{"Points move from", rounded(unit.per_strain * row->strain), unit.name});
-  if (end.left_points > 0) facts.push_back({"Have left the grid", grouped(end.left_points), "points"});
+    facts.push_back(row == nullptr ? Fact{"Hand-over to moving points", "none"}
+                                   : Fact{"Hand-over to moving points",
+                                          rounded(unit.per_strain * row->strain), unit.name});
+  if (end.left_points > 0) facts.push_back(count_fact("Left the grid", end.left_points, "point"));
   return facts;
 }
 
@@ -92,9 +96,10 @@ Fact diameter_fact(const std::vector<specimen::Inclusion>& inclusions) {
   const auto [least, largest] = std::minmax_element(
       inclusions.begin(), inclusions.end(),
       [](const auto& a, const auto& b) { return a.equivalent_diameter < b.equivalent_diameter; });
-  return {"Equivalent diameters",
-          rounded(1e3 * least->equivalent_diameter) + " to " + rounded(1e3 * largest->equivalent_diameter),
-          "mm"};
+  const std::string from = rounded(1e3 * least->equivalent_diameter);
+  const std::string to = rounded(1e3 * largest->equivalent_diameter);
+  if (from == to) return {"Equivalent diameter", to, "mm"};
+  return {"Equivalent diameters", from + " to " + to, "mm"};
 }
 
 std::vector<Fact> specimen_facts(const RunRecord& record) {
@@ -105,11 +110,11 @@ std::vector<Fact> specimen_facts(const RunRecord& record) {
   for (const auto& [phase, share] : phase_shares(mask))
     facts.push_back({"Area share of " + phase_word(phase), with_decimals(100 * share, 2), "%"});
   const std::vector<specimen::Inclusion>& inclusions = record.specimen.inclusions;
-  facts.push_back({"Aggregates", grouped(static_cast<std::int64_t>(inclusions.size())), "pieces"});
+  facts.push_back(count_fact("Aggregates", static_cast<std::int64_t>(inclusions.size()), "piece"));
   if (!inclusions.empty()) facts.push_back(diameter_fact(inclusions));
   if (!record.scene.extra_points.empty())
     facts.push_back(
-        {"Extra ITZ points", grouped(static_cast<std::int64_t>(record.scene.extra_points.size())), "points"});
+        count_fact("Extra ITZ points", static_cast<std::int64_t>(record.scene.extra_points.size()), "point"));
   return facts;
 }
 
@@ -136,14 +141,14 @@ std::vector<std::string> failure_row(const FailureCount& count, bool with_crushe
 
 std::vector<Fact> solution_facts(const RunRecord& record) {
   const mpm::Result& result = record.result;
-  return {{"Material points", grouped(result.points), "points"},
-          {"Steps", grouped(result.steps), "steps"},
+  return {count_fact("Material points", result.points, "point"),
+          count_fact("Steps", result.steps, "step"),
           {"Time step", rounded(1e9 * result.dt), "ns"},
-          {"Time of the loop", rounded(result.wall_time), "s"},
-          {"Speed", rounded(1e-6 * result.point_updates_per_second()), "million points/s"},
+          {"Wall time", rounded(result.wall_time), "s"},
+          {"Speed", rounded(1e-6 * result.point_updates_per_second()), "million point updates/s"},
           {"Largest energy imbalance", rounded(100 * result.energy_error, 2),
-           has_platens(record.scene) ? "% of the work" : "% of the start"},
-          {"Threads", grouped(result.threads), result.threads == 1 ? "thread" : "threads"}};
+           has_platens(record.scene) ? "% of the work" : "% of the initial energy"},
+          count_fact("Threads", result.threads, "thread")};
 }
 
 std::vector<Fact> provenance_facts(const RunRecord& record) {
@@ -200,21 +205,22 @@ std::string specimen_section(const RunRecord& record) {
       side_by_side("fit", specimen_picture(record.specimen.mask), facts_table(specimen_facts(record)));
   const Chart sieve = sieve_chart(record.specimen);
   if (!sieve.series.empty())
-    html += chart_figure(
-        "sieve", sieve, 590, 330,
-        "Share of the aggregate area in aggregates below a diameter, that of the circle of the same area.");
+    html += chart_figure("sieve", sieve, 590, 330,
+                         "Share of the aggregate area in aggregates below a diameter; the diameter is that "
+                         "of the circle with the "
+                         "same area.");
   return section("Specimen", html);
 }
 
 std::string ledger_section(const RunRecord& record) {
   std::string html = side_by_side(
       "even", chart_figure("energy", energy_chart(record), 480, 330, meaning_of_energy(record.scene)),
-      chart_figure("failure", failure_chart(record), 480, 330, "Points that have failed so far."));
+      chart_figure("failure", failure_chart(record), 480, 330, "Number of points that have failed."));
   const Chart strains = failure_strain_chart(record);
   if (!strains.series.empty())
-    html += chart_figure("failure-strain", strains, 590, 300, "How many pixels failed at which strain.");
+    html += chart_figure("failure-strain", strains, 590, 300, "Number of pixels that failed, by strain.");
   else if (record.goes_on)
-    html += chart_place("failure-strain", "How many pixels failed at which strain.");
+    html += chart_place("failure-strain", "Number of pixels that failed, by strain.");
   return section("Energies and failures", html + part("failures", failures_part(record)));
 }
 

@@ -19,14 +19,15 @@ namespace output {
 [[nodiscard]] std::string ledger_section(const RunRecord& record);    ///< energies, failures, their table
 [[nodiscard]] std::string solution_section(const RunRecord& record);  ///< how it was computed, from what
 [[nodiscard]] std::string scene_section(const RunRecord& record);
+[[nodiscard]] std::string glossary_section();  ///< the terms of the page, folded
 [[nodiscard]] std::string citation_section(const RunRecord& record);
 
-/// The user's title, or one made from the setting.
-/// What changes in them while a run goes on: the parts of that name.
+/// The parts of these sections that change while a run is going on.
 [[nodiscard]] std::string facts_part(const RunRecord& record);     ///< of curve_section
 [[nodiscard]] std::string failures_part(const RunRecord& record);  ///< of ledger_section
 [[nodiscard]] std::string solution_part(const RunRecord& record);  ///< of solution_section
 
+/// The user's title, or one made from the setting.
 [[nodiscard]] std::string title_of(const RunRecord& record);
 
 }  // namespace output

@@ -99,6 +99,9 @@ html:has(.watch) { scroll-padding-top: 80px; }
 .watch button:focus-visible { outline: 2px solid var(--first); outline-offset: 2px; }
 details { margin: 0 0 12px; }
 summary { cursor: pointer; padding: 4px 0; }
+dl { margin: 6px 0 0; max-width: 44em; font-size: 15px; }
+dt { font-weight: 600; }
+dd { margin: 0 0 8px; }
 pre { margin: 6px 0 0; padding: 14px 16px; overflow-x: auto; background: var(--panel); border-radius: 6px;
   font: 13px/1.5 ui-monospace, "SF Mono", Consolas, "DejaVu Sans Mono", monospace; }
 blockquote { margin: 0 0 12px; padding: 2px 0 2px 16px; border-left: 3px solid var(--rule); max-width: 44em;

@@ -113,7 +113,7 @@ Chart energy_chart(const RunRecord& record) {
   const auto& history = record.result.history;
   const double at_start = history.empty() ? 0 : history.front().kinetic;
   chart.series.push_back(against_strain(
-      record, has_platens(record.scene) ? "work put in" : "at the start", Ink::text,
+      record, has_platens(record.scene) ? "work of the platens" : "initial energy", Ink::text,
       [at_start](const HistoryRow& row) { return at_start + row.platen_work; }, true));
   add("elastic", Ink::first, &HistoryRow::elastic);
   add("released", Ink::second, &HistoryRow::released);
@@ -227,7 +227,7 @@ std::vector<Series> sieve_references(const specimen::Specimen& specimen) {
   }
   series.push_back(passing(specimen::named_grading("fuller", least, largest), "Fuller", Ink::fifth));
   series.push_back(
-      passing(specimen::named_grading("fuller", least, largest, true), "Fuller, in a cut", Ink::muted));
+      passing(specimen::named_grading("fuller", least, largest, true), "Fuller, plane cut", Ink::muted));
   return series;
 }
 

@@ -19,7 +19,7 @@ namespace output {
 /// Points that have failed so far, by phase and mode, against strain: pixels, and the extra points in one.
 [[nodiscard]] Chart failure_chart(const RunRecord& record);
 
-/// How many pixels failed at which strain, by mode, in sixty classes up to the end of the run.
+/// Number of pixels that failed, by strain and mode, in sixty classes up to the end of the run.
 [[nodiscard]] Chart failure_strain_chart(const RunRecord& record);
 
 /// Sieve curve of the aggregates by area [%] against diameter [mm]; without series when there are none.

@@ -75,7 +75,7 @@ std::string phrase_of(mpm::StopReason reason) {
     case mpm::StopReason::strain:
       return "the final strain was reached";
     case mpm::StopReason::time:
-      return "its time was over";
+      return "its duration was over";
     case mpm::StopReason::drop:
       return "the stress had dropped";
     case mpm::StopReason::interrupted:
@@ -120,8 +120,7 @@ std::string setting_of_loading(const mpm::Scene& scene) {
   const mpm::Loading& loading = scene.loading;
   if (has_platens(scene))
     return fmt::format("{} at {} m/s, {} platens{}", name_of_loading(scene), trimmed(loading.velocity),
-                       word_of(loading.platen),
-                       loading.separation ? " from which the specimen may part" : "");
+                       word_of(loading.platen), loading.separation ? " with separation" : "");
   std::string text = fmt::format("{} at {} m/s", name_of_loading(scene),
                                  trimmed(std::hypot(loading.initial_velocity_x, loading.initial_velocity_y)));
   for (const std::string& wall : walls(scene.motion)) text += ", " + wall;
@@ -139,24 +138,22 @@ std::string name_of_stress(const mpm::Scene& scene) {
 std::string meaning_of_curve(const mpm::Scene& scene) {
   if (has_platens(scene))
     return "Stress is the mean of the reactions of both platens over the width; strain is the displacement "
-           "of the platens over the height. The secant modulus is that where the stress first reaches 40 % "
+           "of the platens over the height. The secant modulus is taken where the stress first reaches 40 % "
            "of its peak.";
-  return "There are no platens. Stress is nominal: the reaction of the lower edge, and of the upper one "
-         "where "
-         "it is a wall, over the width. So is strain: the way that the specimen would have flown freely over "
-         "its height.";
+  return "There are no platens, so stress and strain are nominal. Stress is the reaction of the lower edge, "
+         "and of the upper one if it is a wall, over the width. Strain is the distance of a free flight over "
+         "the "
+         "height.";
 }
 
 std::string meaning_of_energy(const mpm::Scene& scene) {
+  std::vector<std::string> parts{"elastic energy", "kinetic energy", "energy released by failing points"};
+  if (scene.local_damping > 0) parts.emplace_back("damped energy");
   std::string text =
-      has_platens(scene)
-          ? "The work that the platens put in is stored, set free by failing points, or moves "
-            "the specimen"
-          : "The energy of the flight is stored, set free by failing points, or still moves the "
-            "specimen";
-  text += scene.local_damping > 0 ? ", or is damped away." : ".";
+      fmt::format("The energy ledger: {} is the sum of {}.",
+                  has_platens(scene) ? "the work of the platens" : "the initial energy", listed(parts));
   if (scene.kinematics != mpm::Kinematics::small_strain)
-    text += " What is missing from the energy put in is numerical dissipation of the moving points.";
+    text += " Any difference is numerical dissipation of the moving points.";
   return text;
 }
 

@@ -31,7 +31,7 @@ using output::section;
 constexpr double picture_scale = 2;  ///< pixels of cracks.png per px of its drawing
 constexpr double paper_margin = 12;  ///< round it [px]
 
-std::string counted(std::size_t count, const std::string& thing) {
+std::string grouped_count(std::size_t count, const std::string& thing) {
   return fmt::format("{} {}{}", output::grouped(static_cast<std::int64_t>(count)), thing,
                      count == 1 ? "" : "s");
 }
@@ -40,9 +40,10 @@ std::string header(const StudyRecord& record) {
   const StudyPlan& plan = record.study.plan;
   const std::size_t seeds = std::max<std::size_t>(1, plan.seeds.size());
   std::string setting = output::capitalised(output::setting_of_loading(record.scene)) + "; " +
-                        counted(record.members.size(), "member");
-  if (!plan.parameters.empty()) setting += ", " + counted(record.members.size() / seeds, "point");
-  if (!plan.seeds.empty()) setting += ", " + counted(seeds, "seed") + " of " + output::listed(plan.seed_of);
+                        grouped_count(record.members.size(), "member");
+  if (!plan.parameters.empty()) setting += ", " + grouped_count(record.members.size() / seeds, "point");
+  if (!plan.seeds.empty())
+    setting += ", " + grouped_count(seeds, "seed") + " of " + output::listed(plan.seed_of);
   return output::heading(plan.title, setting);
 }
 
@@ -55,7 +56,7 @@ std::string failures_section(const StudyRecord& record) {
       reasons.push_back(name_of(record.study, member) + ": " + outcome.reason);
   if (reasons.empty()) return "";
   std::string html =
-      paragraph(counted(reasons.size(), "member") + " failed, and stand in none of the figures.");
+      paragraph(grouped_count(reasons.size(), "member") + " failed, and stand in none of the figures.");
   std::string list;
   for (std::size_t i = 0; i < std::min(most, reasons.size()); ++i)
     list += "<li>" + output::escape(reasons[i]) + "</li>\n";

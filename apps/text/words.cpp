@@ -71,6 +71,15 @@ std::string upper(std::string text) {
   return text;
 }
 
+std::string noun_for(std::int64_t count, std::string_view noun) {
+  if (count == 1) return std::string(noun);
+  return std::string(noun) + (noun.ends_with('s') ? "es" : "s");
+}
+
+std::string counted(std::int64_t count, std::string_view noun) {
+  return std::to_string(count) + " " + noun_for(count, noun);
+}
+
 }  // namespace app
 
 namespace output {

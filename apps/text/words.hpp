@@ -1,6 +1,7 @@
-/// Words for people: lists, names of phases, and "did you mean ...?"
+/// Words for people: lists, counts, names of phases, and "did you mean ...?"
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,11 @@ namespace app {
 [[nodiscard]] std::string listed(const std::vector<std::string>& names, const char* last = "or");
 
 [[nodiscard]] std::string upper(std::string text);  ///< "length" -> "LENGTH"
+/// "aggregate" for 1, "aggregates" for other counts; for nouns with a regular plural.
+[[nodiscard]] std::string noun_for(std::int64_t count, std::string_view noun);
+
+/// "1 aggregate", "151 aggregates", "2 classes".
+[[nodiscard]] std::string counted(std::int64_t count, std::string_view noun);
 
 }  // namespace app
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "apps/text/words.hpp"
+
 namespace app {
 namespace {
 
@@ -18,10 +20,6 @@ std::string fixed(double value, int decimals) {
 std::string mm(double length) { return fmt::format("{:.4g} mm", length / millimetre); }
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
-
-std::string counted(std::int64_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// Without a sign before nought.
 std::string with_sign(double value, int decimals) {

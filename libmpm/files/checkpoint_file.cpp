@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view magic = "MPXCKPT\n";
 constexpr std::int64_t version = 1;
-constexpr const char* cure = "go on from an earlier one, or begin anew";
+constexpr const char* cure = "resume from an earlier one, or start again";
 
 /// All but the state.
 template <class Archive, class Kept, class Text>
@@ -42,7 +42,7 @@ std::string bytes_of(const std::string& path) {
   std::string bytes(magic.size(), '\0');
   if (size >= 0 && stream.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size())) &&
       bytes != magic)
-    throw FileError(path, "is no checkpoint", "", cure);  // however long it is
+    throw FileError(path, "is not a checkpoint", "", cure);  // however long it is
   stream.clear();
   bytes.resize(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
   if (size < 0 || !stream.seekg(0) || !stream.read(bytes.data(), size))
@@ -54,11 +54,11 @@ std::string bytes_of(const std::string& path) {
 /// The bytes between the magic and the digest.
 std::string_view body_of(const std::string& path, std::string_view bytes) {
   if (bytes.size() < magic.size() + sha256_bytes || bytes.substr(0, magic.size()) != magic)
-    throw FileError(path, "is no checkpoint", "", cure);
+    throw FileError(path, "is not a checkpoint", "", cure);
   const std::string_view digest = bytes.substr(bytes.size() - sha256_bytes);
   bytes.remove_suffix(sha256_bytes);
   if (Sha256().add(bytes).digest() != digest)
-    throw FileError(path, "is damaged: its digest is not that of its bytes", "", cure);
+    throw FileError(path, "is damaged: its digest does not match its bytes", "", cure);
   return bytes.substr(magic.size());
 }
 
@@ -83,7 +83,7 @@ CheckpointFile read_checkpoint(const std::string& path) {
   archive.whole(found, INT64_MIN, INT64_MAX);
   if (archive.ok() && found != version)
     throw FileError(path, "is of version " + std::to_string(found),
-                    "must be of version " + std::to_string(version), "go on with the program that wrote it");
+                    "must be of version " + std::to_string(version), "resume with the program that wrote it");
   CheckpointFile file;
   pass_header(archive, file.checkpoint, file.scene_text, file.remarks);
   archive.text(file.checkpoint.state);

@@ -85,18 +85,18 @@ void write_point_data(hid_t group, const Frame& frame, const Scene& scene) {
   table("displacement", [](const FramePoint& p) { return floats(p.ux, p.uy, 0); }, {"m", "since the start"});
   table("velocity", [](const FramePoint& p) { return floats(p.vx, p.vy, 0); }, {"m/s", "of the points"});
   table("stress", [](const FramePoint& p) { return floats(p.sxx, p.sxy, 0, p.sxy, p.syy, 0, 0, 0, p.szz); },
-        {"Pa", "that a point carries: xx xy xz yx yy yz zx zy zz; tension is positive"});
+        {"Pa", "stress stress that a point carries: xx xy xz yx yy yz zx zy zz; tension is positive"});
   table("damage", [](const FramePoint& p) { return floats(p.damage); }, {"1", "0 = intact, 1 = failed"});
   table("phase", [](const FramePoint& p) { return std::array{p.phase}; }, {"1", meaning_of_phase(scene)});
   table("id", [](const FramePoint& p) { return std::array{static_cast<std::int32_t>(p.id)}; },
-        {"1", "row * columns + column of the pixel; extra points behind"});
+        {"1", "row * columns + column of the pixel; extra points follow"});
 }
 
 void write_field_data(hid_t group, const Frame& frame) {
   write_value(group, "TimeValue", frame.time, {"s", "time of the points"});
   write_value(group, "strain", frame.strain, {"1", "platen displacement over height, of the points"});
-  write_value(group, "step", frame.step, {"1", "steps that led here"});
-  write_value(group, "history_row", frame.row, {"1", "row of the history that was written last"});
+  write_value(group, "step", frame.step, {"1", "steps so far"});
+  write_value(group, "history_row", frame.row, {"1", "last row of the history written before"});
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ void write_frame(const std::string& path, const Frame& frame, const Scene& scene
   write_type(root, "UnstructuredGrid");
   write_cells(root, frame.points.size());
   write_table(root, "Points", frame, [](const FramePoint& p) { return floats(p.x, p.y, 0); },
-              {"m", "where the points are; y upwards from the lower edge of the picture"});
+              {"m", "position of the points; y upwards from the lower edge of the picture"});
   write_point_data(create_group(root, "PointData"), frame, scene);
   write_field_data(create_group(root, "FieldData"), frame);
   replace_file(path, image_of(file));

@@ -50,7 +50,7 @@ void read_ids(hid_t group, Frame& frame) {
   });
   std::int64_t before = -1;
   for (const std::int32_t id : ids) {
-    require(id > before, "dataset id holds numbers that do not rise from 0");
+    require(id > before, "dataset id holds numbers that do not increase from 0");
     before = id;
   }
   frame.points.resize(ids.size());
@@ -92,13 +92,13 @@ void read_points(hid_t root, Frame& frame) {
   const Handle data = open_group(root, "PointData");
   read_ids(data, frame);
   require(read_value<std::int64_t>(root, "NumberOfPoints") == static_cast<std::int64_t>(frame.points.size()),
-          "dataset NumberOfPoints says another number than there are in id");
+          "dataset NumberOfPoints differs from the number of values in id");
   read_motion(root, data, frame);
   read_state(data, frame);
 }
 
 Handle open_root(hid_t file) {
-  require(H5Lexists(file, "VTKHDF", H5P_DEFAULT) > 0, "is no frame of mesopix");
+  require(H5Lexists(file, "VTKHDF", H5P_DEFAULT) > 0, "is not a mesopix frame");
   Handle root = open_group(file, "VTKHDF");
   std::array<std::int64_t, 2> version{};
   read_attribute(root, "Version", H5T_INTEGER, sizeof version[0], H5T_NATIVE_INT64, version.data(), 2);
@@ -113,7 +113,7 @@ Frame read_heading(hid_t root) {
   frame.strain = read_value<double>(field, "strain");
   frame.step = read_value<std::int64_t>(field, "step");
   frame.row = read_value<std::int64_t>(field, "history_row");
-  require(std::isfinite(frame.strain), "dataset strain holds no number");
+  require(std::isfinite(frame.strain), "dataset strain is not a number");
   return frame;
 }
 

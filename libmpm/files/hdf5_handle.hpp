@@ -1,4 +1,4 @@
-/// What the readers and writers of HDF5 files share. Not installed: private to hdf5_*, result_file*,
+/// Common parts of the readers and writers of HDF5 files. Not installed: private to hdf5_*, result_file*,
 /// frame_file* and table_file*.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace mpm::hdf5 {
 
-/// What is wrong, without the path; the public functions add it.
+/// A fault, without the path; the public functions add the path.
 struct Fault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

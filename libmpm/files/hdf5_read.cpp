@@ -107,7 +107,7 @@ void require_part(hid_t parent, const std::string& name, const std::string& word
   require(H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0, words + " is missing");
   H5L_info_t link{};
   require(H5Lget_info(parent, name.c_str(), &link, H5P_DEFAULT) >= 0, words + " is damaged");
-  require(link.type == H5L_TYPE_HARD, words + " is a link, and no part of the file itself");
+  require(link.type == H5L_TYPE_HARD, words + " is a link, not part of the file itself");
 }
 
 std::vector<hsize_t> extent_of(hid_t dataset, std::size_t rank, const std::string& words) {
@@ -135,7 +135,7 @@ void require_known_filters(hid_t settings, const std::string& words) {
         H5Pget_filter2(settings, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, nullptr);
     require(filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32,
             words + " is packed by filter " + std::to_string(filter) +
-                ", which is none of gzip, shuffle and fletcher32");
+                ", which is not gzip, shuffle or fletcher32");
     require(met.insert(filter).second, words + " is packed twice by filter " + std::to_string(filter));
   }
 }
@@ -191,7 +191,7 @@ Handle open_file(const std::string& path) {
   require(std::filesystem::is_regular_file(path), "there is no such file");
   require(heaps_are_sound(path), "is damaged: lengths in a heap of its texts are wrong");
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-              "is no HDF5 file, or is cut short or damaged");
+              "is not an HDF5 file, or is cut short or damaged");
   const Handle settings(H5Fget_create_plist(file), H5Pclose, "is damaged");
   std::size_t address = 0, length = 0;
   require(H5Pget_sizes(settings, &address, &length) >= 0 && address == 8 && length == 8,
@@ -202,7 +202,7 @@ Handle open_file(const std::string& path) {
 Handle open_group(hid_t parent, const std::string& name) {
   const std::string words = "group " + name;
   require_part(parent, name, words);
-  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, words + " is no group"};
+  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, words + " is not a group"};
 }
 
 void read_attribute(hid_t object, const char* name, H5T_class_t kind, std::size_t size, hid_t memory_type,
@@ -234,7 +234,7 @@ Dataset open_dataset(hid_t parent, const std::string& name, std::size_t rank, H5
   const std::string words = "dataset " + name;
   require_part(parent, name, words);
   Dataset dataset{
-      words, Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, words + " is no dataset"), {}};
+      words, Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, words + " is not a dataset"), {}};
   const Handle type(H5Dget_type(dataset.id), H5Tclose, words + " is damaged");
   require_type(type, kind, size, words);
   require_inside(dataset);

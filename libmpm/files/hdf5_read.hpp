@@ -1,8 +1,7 @@
-/// A look at the part of an HDF5 file that has no checksum. Not installed: private to hdf5_read.
-/// How whole files, attributes and datasets are read. Not installed: private to result_file*, frame_file*.
+/// Reading of HDF5 files, attributes and datasets. Not installed: private to result_file*, frame_file*.
 ///
-/// Nothing that a file claims is believed: what is read has the type and the axes that are asked for, lies in
-/// the file itself, and is there.
+/// Every claim of a file is checked: values have the required type and axes, are stored in the file itself,
+/// and are complete.
 #pragma once
 
 #include <string>
@@ -13,12 +12,12 @@
 namespace mpm::hdf5 {
 
 /// Whether the lengths in every global heap of a file are right. Texts of any length lie in such heaps, and
-/// the sources of virtual datasets. HDF5 1.10 goes through a heap with wrong lengths without an end, or
+/// the sources of virtual datasets. HDF5 1.10 loops forever in a heap with wrong lengths, or reads
 /// beyond its end, as soon as an attribute or a dataset that needs it is opened.
 /// @return true for a file that cannot be read: opening it says why.
 [[nodiscard]] bool heaps_are_sound(const std::string& path);
 
-/// @throws Fault when it is no file, none of HDF5, or one that HDF5 would not get through.
+/// @throws Fault if it is not a file, not an HDF5 file, or one on which HDF5 would fail.
 [[nodiscard]] Handle open_file(const std::string& path);
 
 /// A part of a group, by its own name.   @throws Fault when it is missing or a link to somewhere else.
@@ -38,7 +37,7 @@ template <class T>
 /// An attribute of one text of any length.   @throws Fault.
 [[nodiscard]] std::string read_text(hid_t object, const char* name);
 
-/// A dataset that may be read.
+/// A dataset that has been checked.
 struct Dataset {
   std::string words;  ///< "dataset stress"
   Handle id;

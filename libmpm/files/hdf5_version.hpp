@@ -1,10 +1,10 @@
-/// Which HDF5 reads and writes the files.
+/// Version of the HDF5 library in use.
 #pragma once
 
 #include <string>
 
 namespace mpm {
 
-[[nodiscard]] std::string hdf5_version();  ///< "1.10.8", asked of the library that is loaded
+[[nodiscard]] std::string hdf5_version();  ///< e.g. "1.10.8", from the loaded library
 
 }  // namespace mpm

@@ -1,4 +1,4 @@
-/// How datasets, attributes and whole files are written. Not installed: private to result_file*, frame_file*,
+/// Writing of HDF5 datasets, attributes and files. Not installed: private to result_file*, frame_file*,
 /// table_file*.
 #pragma once
 
@@ -40,7 +40,7 @@ void write_values(hid_t parent, const std::string& name, const std::vector<hsize
 
 [[nodiscard]] Handle create_group(hid_t parent, const char* name);
 
-/// A file that lives in memory: a full disk can then hit one plain write only, not HDF5 on its way out.
+/// A file in memory: then a full disk affects only one plain write, not HDF5.
 [[nodiscard]] Handle memory_file();
 /// Its bytes.
 [[nodiscard]] std::string image_of(hid_t file);

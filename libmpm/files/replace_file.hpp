@@ -1,4 +1,4 @@
-/// Put a whole file on disk, or nothing.
+/// Write a file completely or not at all.
 #pragma once
 
 #include <initializer_list>
@@ -7,13 +7,13 @@
 
 namespace mpm {
 
-/// Write bytes to a temporary name beside `path`, flush them to the disk, rename, and flush the folder: a
-/// reader sees the old file or the new one, never a part, even after the power has failed. The temporary file
-/// is removed when anything fails.
-/// @throws FileError naming the path and what the system said.
+/// Write bytes to a temporary name beside `path`, flush them to disk, rename the file, and flush the folder.
+/// A reader sees the old or the new file, never a part, even after a power cut. The temporary file is removed
+/// on failure.
+/// @throws FileError naming the path and the reason from the system.
 void replace_file(const std::string& path, std::string_view bytes);
 
-/// The same of several pieces, one behind the other.
+/// The same for several pieces, one after another.
 void replace_file(const std::string& path, std::initializer_list<std::string_view> pieces);
 
 }  // namespace mpm

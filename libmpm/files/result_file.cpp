@@ -64,21 +64,21 @@ void write_figures(hid_t file, const Result& result, const std::string& scene_te
 
 void write_maps(hid_t file, const Result& result) {
   write_map(file, "failure_strain", result.failure_strain,
-            "platen strain at which the point of a pixel failed, NaN = it did not; row 0 is the top");
+            "platen strain at which the point of a pixel failed, NaN = it did not fail; row 0 is the top");
   write_map(file, "failure_mode", result.failure_mode, "0 = none, 1 = tension, 2 = shear; row 0 is the top");
   if (result.crush_strain.size() > 0)
-    write_map(
-        file, "crush_strain", result.crush_strain,
-        "platen strain at which a cracked point was crushed in shear, NaN = it was not; row 0 is the top");
+    write_map(file, "crush_strain", result.crush_strain,
+              "platen strain at which a cracked point was crushed in shear, NaN = it was not crushed; row 0 "
+              "is the top");
   if (result.end_x.size() > 0) {
     write_map(file, "end_x", result.end_x,
-              "place of the point of a pixel at the end, NaN = none; row 0 is the top", "m");
+              "final position of the point of a pixel, NaN = none; row 0 is the top", "m");
     write_map(file, "end_y", result.end_y, "the same, upwards from the lower edge of the picture", "m");
   }
   for (std::size_t i = 0; i < result.deformation.size(); ++i)
     if (result.deformation[i].size() > 0)
       write_map(file, deformation_names[i], result.deformation[i],
-                "deformation gradient of the point of a pixel at the end; row 0 is the top");
+                "final deformation gradient of the point of a pixel; row 0 is the top");
 }
 
 }  // namespace

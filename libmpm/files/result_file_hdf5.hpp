@@ -1,4 +1,4 @@
-/// What the reader and the writer of result.h5 agree on. Not installed: private to result_file*.cpp.
+/// Names shared by the reader and the writer of result.h5. Not installed: private to result_file*.cpp.
 #pragma once
 
 #include <array>

@@ -45,7 +45,7 @@ std::vector<HistoryRow> read_history(hid_t file) {
 StopReason stop_of(const std::string& name) {
   for (const auto& [value, known] : stop_reasons)
     if (name == known) return value;
-  throw Fault("attribute stop_reason is \"" + name + "\", which means nothing");
+  throw Fault("attribute stop_reason is \"" + name + "\", which is unknown");
 }
 
 void read_figures(hid_t file, Result& result) {
@@ -99,7 +99,7 @@ void read_maps(hid_t file, Result& result) {
 Handle open_and_check(const std::string& path) {
   Handle file = open_file(path);
   require(H5Aexists(file, "format") > 0 && read_text(file, "format") == format_name,
-          "is no result of mesopix");
+          "is not a mesopix result");
   const auto version = read_number<std::int64_t>(file, "format_version");
   require(version == format_version, "has format version " + std::to_string(version) +
                                          ", this program reads " + std::to_string(format_version));

@@ -1,6 +1,6 @@
-/// A table as an HDF5 file, one dataset a column.
+/// A table as an HDF5 file, one dataset per column.
 ///
-/// Layout, as h5py shows it:
+/// Layout:
 ///   /                attributes: format ("mesopix-table"), format_version
 ///   /NAME            shape (rows): float64, int64 or UTF-8 text; attributes unit, meaning
 #pragma once
@@ -12,17 +12,18 @@
 
 namespace mpm {
 
+/// A column of a table.
 struct TableColumn {
-  std::string name;     ///< letters, digits, _, . and blanks
-  std::string unit;     ///< SI; "1" = without
+  std::string name;     ///< letters, digits, "_", "." and spaces
+  std::string unit;     ///< SI unit; "1" = dimensionless
   std::string meaning;  ///< one line
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>> values;
 
-  [[nodiscard]] std::size_t rows() const;
+  [[nodiscard]] std::size_t rows() const;  ///< number of values
 };
 
-/// Write a table: to a temporary name, flushed, closed and renamed. The same table gives the same bytes.
-/// @pre all columns have the same number of rows; names differ.   @throws FileError.
+/// Write a table to a temporary name, flush, close and rename it. The same table gives the same bytes.
+/// @pre all columns have the same number of rows; names are unique.   @throws FileError.
 void write_table(const std::string& path, const std::vector<TableColumn>& columns);
 
 }  // namespace mpm

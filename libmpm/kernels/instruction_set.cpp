@@ -30,7 +30,7 @@ const kernels::Kernels& chosen_kernels(std::string_view name) {
     if (name == kernels->name) return *kernels;
     names += (names.empty() ? "" : ", ") + std::string(kernels->name);
   }
-  throw Error("solver.instruction_set", std::string(name), "this processor runs " + names);
+  throw Error("solver.instruction_set", std::string(name), "this processor supports " + names);
 }
 
 const moving::Kernels& chosen_moving_kernels(std::string_view name) {

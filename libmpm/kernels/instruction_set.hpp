@@ -1,5 +1,5 @@
-/// Numbers too small for full precision cost a processor a hundred times what others do.
-/// Which kernels this machine runs.
+/// Selection of the kernels for this machine; and flushing of subnormal numbers, which are up to a hundred
+/// times slower than others.
 #pragma once
 
 #include <string_view>
@@ -14,9 +14,8 @@
 
 namespace mpm {
 
-/// While it lives, this thread takes numbers below 2.2e-308 (1.2e-38 in 32 bits) for zero; then all is as it
-/// was. The front of a wave, and what damping leaves of one, is made of such numbers. Elsewhere than on
-/// x86-64 it does nothing.
+/// During its lifetime this thread treats numbers below 2.2e-308 (1.2e-38 in 32 bits) as zero. Wave fronts
+/// and damped waves contain many such numbers. Does nothing on processors other than x86-64.
 class FlushToZero {
  public:
 #ifdef __x86_64__
@@ -41,7 +40,7 @@ class FlushToZero {
 [[nodiscard]] std::vector<const kernels::Kernels*> available_kernels();
 
 /// The kernels of that name, or the fastest ones for an empty name.
-/// @throws Error when this processor runs none of that name.
+/// @throws Error if this processor does not support them.
 [[nodiscard]] const kernels::Kernels& chosen_kernels(std::string_view name);
 
 /// The kernels of moving points of the same instruction set.

@@ -1,4 +1,5 @@
-/// The two sweeps in which a run spends its time: over the points of a row of cells, and over a row of nodes.
+/// The two sweeps of small strain: over the points of a row of cells, and over a row of nodes. Almost all
+/// time of a run is spent here.
 ///
 /// The sweeps are compiled once per instruction set from one source and chosen when the program runs. They
 /// allocate nothing, throw nothing, and report by what they return. All lengths are padded: every row may be
@@ -45,13 +46,13 @@ struct CellRow {
   const double *ux_lower, *uy_lower, *ux_upper, *uy_upper;  ///< displacements of the two rows of nodes [m]
   const Real* stiffness;  ///< E (one Poisson ratio) or the Lame constant; times the volume share [Pa]
   const Real* shear;      ///< shear modulus times the volume share [Pa]; unused with one Poisson ratio
-  const float* tension;   ///< tensile threshold, scaled as the stress of this kernel; unused without a check
-  const float* crush;     ///< least -s3 at which shear failure is possible, alike; for the check of both only
-  const float* cracked;   ///< share of its resistance to tension that a point has lost [-]
+  const float* tension;   ///< tensile threshold, in the scale of the stress of this kernel
+  const float* crush;     ///< smallest -s3 at which shear failure is possible, in the same scale
+  const float* cracked;   ///< share of its tensile strength that a point has lost [-]
   Real unilateral;        ///< 1: CrackClosure::unilateral, 0: clipped
   Real unit_axial, unit_lateral, unit_shear;  ///< stiffness of a phase with E = 1 [-]
   NodeForces<Real> lower, upper;              ///< out
-  Flag<Real>* suspects;                       ///< out: not 0 for a cell in which a point may fail
+  Flag<Real>* suspects;                       ///< out: nonzero for a cell in which a point may fail
 };
 
 /// What the sweep over a row of nodes reads and writes.
@@ -77,7 +78,7 @@ struct NodeSums {
                          ///< one component to the other in a step
 };
 
-/// Which failures are looked for.
+/// Which failures are checked.
 enum class Check { none, tension, tension_and_shear };
 
 struct Features {
@@ -86,10 +87,10 @@ struct Features {
   Check check = Check::tension_and_shear;
   bool crack_closure = false;
   bool damping = false;
-  bool ledger = false;  ///< NodeSums::momentum_rate and force_work are wanted
+  bool ledger = false;  ///< compute NodeSums::momentum_rate and force_work
 };
 
-/// @return not 0 when some cell of the row is suspect.
+/// @return nonzero if some cell of the row is suspect.
 template <class Real>
 using SweepCells = Flag<Real> (*)(const CellRow<Real>&);
 template <class Real>

@@ -1,5 +1,5 @@
-/// From nodes to moving points: their velocity, and what MUSL brings back to the nodes of it. Private to
-/// moving_kernels.cpp.
+/// From nodes to moving points (G2P): their velocity, and for MUSL the momentum mapped back to the nodes.
+/// Private to moving_kernels.cpp.
 #pragma once
 
 #include "libmpm/kernels/moving_scatter.hpp"

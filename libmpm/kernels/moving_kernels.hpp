@@ -1,13 +1,13 @@
 /// The sweeps of moving points: over the points of a row of tiles, and over a row of nodes.
 ///
-/// A tile is the part of the plane whose points share their nodes: a cell for linear shape functions (2 x 2
-/// nodes), the square round a node for the quadratic ones (3 x 3 nodes). A lane of a vector is a tile, so
-/// that the nodes of the lanes stand side by side and are loaded, and written, without a gather, a scatter or
-/// an atomic. Sums over the points are taken in the order of their slots, by tiles, and then by the nodes of
-/// a tile: one order, whatever the number of threads.
+/// A tile is the area whose points share their nodes: a cell for linear shape functions (2 x 2 nodes), the
+/// square around a node for quadratic ones (3 x 3 nodes). Each lane of a vector is one tile, so that the
+/// nodes of the lanes are adjacent and are loaded and stored without gather, scatter or atomics. Sums over
+/// points are taken in the order of their slots, by tiles, and then by the nodes of a tile: the same order
+/// for any number of threads.
 ///
-/// Like the sweeps of the lattice these are compiled once per instruction set, allocate nothing, throw
-/// nothing and report by what they return.
+/// Like the sweeps of small strain they are compiled once per instruction set, do not allocate or throw, and
+/// report by their return values.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@
 
 namespace mpm::moving {
 
-/// Numbers that every point has, in the order of its record. A record holds as many points as a vector has
-/// lanes, field by field. An empty lane has no mass, no volume and no stiffness.
+/// Fields of every point, in the order of its record. A record has one point per lane of a vector, field by
+/// field. An empty lane has no mass, no volume and no stiffness.
 enum Field : int {
   xi,      ///< place in the tile, from its left edge, over the width of a cell [-], in [0, 1)
   eta,     ///< the same, from its lower edge
@@ -29,21 +29,21 @@ enum Field : int {
   sxx,     ///< Cauchy stress, with crack closure that of the intact material [Pa]
   syy,     ///< [Pa]
   sxy,     ///< [Pa]
-  lame,    ///< Lame constant, in plane stress its like [Pa]; 0 for a ghost point
+  lame,    ///< Lame constant of the plane [Pa]; 0 for a ghost point
   shear,   ///< shear modulus [Pa]; 0 for a ghost point
   basic_fields
 };
 
-/// Numbers that only some runs need.
+/// Fields that only some runs need.
 struct OptionalFields {
   bool tension = false;      ///< largest principal stress that the point survives [Pa]
-  bool crush = false;        ///< least -s3 at which shear failure is possible [Pa]
-  bool cracked = false;      ///< share of its resistance to tension that a point has lost [-]
+  bool crush = false;        ///< smallest -s3 at which shear failure is possible [Pa]
+  bool cracked = false;      ///< share of its tensile strength that a point has lost [-]
   bool affine = false;       ///< velocity gradient of APIC [1/s], row by row
   bool deformation = false;  ///< deformation gradient [-], row by row
 };
 
-/// Where they stand in a record; -1 = left out.
+/// Their positions in a record; -1 = absent.
 struct RecordLayout {
   int fields = basic_fields;  ///< numbers of a point
   int tension = -1, crush = -1, cracked = -1, affine = -1, deformation = -1;
@@ -52,16 +52,16 @@ struct RecordLayout {
 /// Zeros in front of a row of sums, and at least as many behind it.
 inline constexpr int padding = 16;
 
-/// Where a support stands on the middle nodes of the outermost tiles of quadratic shapes. The nodes beyond it
-/// move as a straight line through that node and the next one inside says, so that the points see no others:
-/// linear shapes within half a cell of the support, complete and without a jump to the next tile.
-/// Source: Steffen, Wallstedt, Guilkey, Kirby, Berzins (2008), on B-splines at boundaries.
+/// Supports at the middle nodes of the outermost tiles of quadratic shapes. Nodes beyond a support move by
+/// linear extrapolation from this node and the next one inside, so that points within half a cell of the
+/// support have linear shapes: complete, and continuous with the next tile. Source: Steffen, Wallstedt,
+/// Guilkey, Kirby, Berzins (2008), on B-splines at boundaries.
 struct Folds {
   int left = -1, right = -1;          ///< columns of tiles; -1 = no support
   bool lower = false, upper = false;  ///< whether this is such a row
 };
 
-/// The points of a row of tiles: `lanes` tiles are a block, and its points lie in `used` records from `begin`
+/// The points of a row of tiles: `lanes` tiles form a block; its points are in `used` records from `begin`
 /// on.
 template <class Real>
 struct TileRow {
@@ -81,15 +81,15 @@ struct NodeVectors {
   std::ptrdiff_t stride;  ///< between rows of nodes
 };
 
-/// What the points of a row of tiles add to its nodes: plane (b N + a) n + f holds quantity f of n for the
-/// node in column a and row b of each tile.
+/// Contributions of the points of a row of tiles to its nodes: plane (b N + a) n + f holds quantity f of n
+/// for the node in column a and row b of each tile.
 template <class Real>
 struct Sums {
   Real* values;
   std::ptrdiff_t length;  ///< of a plane
 };
 
-/// What all sweeps over points need to know of the step.
+/// Parameters of a step for all sweeps over points.
 template <class Real>
 struct Step {
   Real half_size;  ///< of a point, over the size of a cell [-]: 1/2 for the B-spline; unused by linear shapes
@@ -104,8 +104,8 @@ struct Step {
 enum class Stencil { linear, quadratic };
 enum class Return { flip, blend, apic };
 
-/// Mass [kg/m] and momentum [kg/s] of the points, 3 quantities, and their internal force [N/m], 2: both in
-/// one sweep, or one of them while the other's sums are left alone.
+/// Mass [kg/m] and momentum [kg/s] of the points (3 quantities), and their internal force [N/m] (2
+/// quantities): both in one sweep, or only one of them.
 template <class Real>
 using Scatter = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<Real> momentum, Sums<Real> force);
 /// Velocity of the points from that of the nodes at the end of the step and its change in it. APIC does not
@@ -116,14 +116,14 @@ using Scatter = void (*)(const TileRow<Real>&, const Step<Real>&, Sums<Real> mom
 template <class Real>
 using Gather = Real (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> change,
                         NodeVectors<Real> fresh, Sums<Real> momentum);
-/// What became of a point, for the flags of the blocks.
+/// Events of points, for the flags of the blocks.
 enum Flag : std::uint8_t {
   may_fail = 1,
   has_left = 2,  ///< its tile
 };
-/// Stress and volume of the points from the gradient of the straining velocity (Jaumann's rate), their places
-/// from that at the end of the step: both in one sweep, or one of them.
-/// @param[out] flags  what became of some point of a block, shape (blocks).   @return what became of any.
+/// Stress and volume of the points from the gradient of the straining velocity (Jaumann rate), and positions
+/// from the velocity at the end of the step: both in one sweep, or only one of them.
+/// @param[out] flags  events of the points of each block, shape (blocks).   @return events of all points.
 template <class Real>
 using Follow = int (*)(const TileRow<Real>&, const Step<Real>&, NodeVectors<Real> straining,
                        NodeVectors<Real> fresh, std::uint8_t* flags);
@@ -149,7 +149,7 @@ struct NodeRow {
 /// Velocity [m/s] of the nodes from their mass and momentum. A node of less than `least_mass` stands still.
 template <class Real>
 using SumMomentum = void (*)(const NodeRow<Real>&, Real least_mass, Real* mass, Real* vx, Real* vy);
-/// The same from the momentum that was mapped back; the points have not moved since, and the mass is known.
+/// The same from the momentum that was mapped back; the mass has not changed.
 template <class Real>
 using SumNewMomentum = void (*)(const NodeRow<Real>&, Real least_mass, const Real* mass, Real* vx, Real* vy);
 
@@ -165,11 +165,11 @@ struct Integration {
   /// says, which has no bound [kg/m].
   Real light_mass = 0;
 };
-/// @return energy that local damping took [J/m].
+/// @return energy dissipated by local damping [J/m].
 template <class Real>
 using Integrate = double (*)(const Integration<Real>&);
 
-/// What the sweeps are compiled with.
+/// Compile-time options of the sweeps.
 struct Features {
   Stencil stencil = Stencil::quadratic;
   Return transfer = Return::flip;

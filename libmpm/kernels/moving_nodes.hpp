@@ -1,4 +1,4 @@
-/// Over rows of nodes: what the tiles have for them, and their step. Private to moving_kernels.cpp.
+/// Rows of nodes: the sums from the tiles, and the step of the nodes. Private to moving_kernels.cpp.
 #pragma once
 
 #include "libmpm/kernels/moving_weights.hpp"
@@ -52,7 +52,7 @@ void sum_new_momentum(const NodeRow<Real>& in, Real least_mass, const Real* mass
   }
 }
 
-/// The force less the damping that opposes the motion. Source: local damping, Cundall (1987).
+/// Damping force, opposed to the motion. Source: local damping, Cundall (1987).
 template <class Real>
 MPM_INLINE Pack<Real> damping_force(const Pack<Real>& f, const Pack<Real>& v, Real damping) {
   const Pack<Real> zero{};

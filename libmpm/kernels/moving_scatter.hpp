@@ -1,4 +1,4 @@
-/// From moving points to nodes: mass, momentum and internal force. Private to moving_kernels.cpp.
+/// From moving points to nodes (P2G): mass, momentum and internal force. Private to moving_kernels.cpp.
 #pragma once
 
 #include "libmpm/kernels/moving_stress.hpp"
@@ -88,7 +88,7 @@ MPM_INLINE void add_force(TileTotals<Real, nodes_of<stencil>, 2>& sums, const Ti
 
 enum class Scattered { momentum, force, both };
 
-/// Every step begins with this sweep, which fetches the records for those that follow it.
+/// The first sweep of each step; it prefetches the records for the following ones.
 template <class Real, Stencil stencil, Scattered what, bool affine, bool closure>
 void scatter(const TileRow<Real>& in, const Step<Real>& of_step, Sums<Real> momentum, Sums<Real> force) {
   constexpr int n = nodes_of<stencil>;

@@ -1,4 +1,4 @@
-/// What the motion of the nodes does to moving points: stress, volume and place. Private to
+/// Effect of the motion of the nodes on moving points: stress, volume and position. Private to
 /// moving_kernels.cpp.
 #pragma once
 
@@ -19,7 +19,7 @@ MPM_INLINE Stress<Pack<Real>> strained(Real* record, const Gradient<Real>& g) {
   return result.stress;
 }
 
-/// Place at the end of the step. @return the lanes whose point is still in its tile.
+/// Position at the end of the step. @return the lanes whose point is still in its tile.
 template <class Real, int N>
 MPM_INLINE Mask<Real> moved(const TileRow<Real>& row, Real* record, const Step<Real>& step,
                             const TileNodes<Real, N>& vx, const TileNodes<Real, N>& vy,

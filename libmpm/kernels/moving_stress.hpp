@@ -1,4 +1,4 @@
-/// Stress of moving points: its rate, closed cracks, and the test for failure. Private to moving_kernels.cpp.
+/// Stress of moving points: rate, closed cracks, and the failure test. Private to moving_kernels.cpp.
 #pragma once
 
 #include "libmpm/kernels/moving_weights.hpp"
@@ -15,7 +15,7 @@ MPM_INLINE Pack<Real> root(const Pack<Real>& value) {
   return result;
 }
 
-/// What without_tension() of stress.hpp does, for a vector of points.
+/// without_tension() of stress.hpp for a vector of points.
 template <class Real>
 MPM_INLINE Stress<Pack<Real>> closed_crack(const Stress<Pack<Real>>& s, const Pack<Real>& lateral) {
   const Pack<Real> zero{};
@@ -69,18 +69,18 @@ MPM_INLINE Gradient<Real> gradient(const TileNodes<Real, N>& vx, const TileNodes
   return {per_x * of_x.across, per_y * of_x.upwards, per_x * of_y.across, per_y * of_y.upwards};
 }
 
-/// What a step makes of a volume and of the stress in it.
+/// Change of volume and stress in a step.
 template <class Real>
 struct Strained {
   Pack<Real> growth;  ///< of the volume [-]
   Stress<Pack<Real>> stress;
 };
-/// Jaumann's rate: the stress turns with the spin, then grows by C : strain. Both come from the gradient of
-/// the displacement with respect to where the points are halfway through the step,
+/// Jaumann rate: the stress is rotated with the spin and then incremented by C : strain. Both use the
+/// displacement gradient with respect to the positions at mid-step,
 ///   G (1 + G / 2)^-1 = (G + det(G) / 2) / D,   D = det(1 + G / 2).
-/// That of a turn is a spin and no strain, and that of nodes which fly straight on while they turn is the
-/// stretch that they come to: taken at the beginning of the step, it would be none, and a body that turns
-/// would grow with every step. The turn is exact in the norm, tan(angle / 2) = spin / 2.
+/// For a rotation this is a spin without strain. For nodes that move along tangents while the body rotates it
+/// is the resulting stretch; with the gradient at the beginning of the step this stretch would be zero, and a
+/// rotating body would grow with every step. The rotation conserves the norm: tan(angle / 2) = spin / 2.
 /// Source: Hughes, Winget (1980).
 template <class Real>
 MPM_INLINE Strained<Real> turned_and_loaded(const Stress<Pack<Real>>& s, const Gradient<Real>& g,
@@ -108,7 +108,7 @@ MPM_INLINE Strained<Real> turned_and_loaded(const Stress<Pack<Real>>& s, const G
           {pressure + deviatoric, pressure - deviatoric, turned_xy + stiffness * (g.xy + g.yx)}};
 }
 
-/// Lanes in which a point may fail; the same test as that of the lattice (kernels.cpp). Not-a-number is
+/// Lanes in which a point may fail; the same test as in lattice_kernels.cpp. Not-a-number is
 /// suspect.
 template <kernels::Check check, class Real>
 MPM_INLINE Mask<Real> suspect_lanes(const Stress<Pack<Real>>& s, const TileRow<Real>& row,

@@ -1,6 +1,5 @@
-/// A vector of the instruction set that a file is compiled for, and records of points in it. Private to
-/// moving_kernels.cpp.
-/// Shape functions of moving points, a vector of points at a time. Private to moving_kernels.cpp.
+/// Vectors of the instruction set, records of points, and shape functions for a vector of points at a time.
+/// Private to moving_kernels.cpp.
 #pragma once
 
 #include "libmpm/kernels/moving_kernels.hpp"
@@ -17,8 +16,8 @@ constexpr int vector_bytes = 32;
 constexpr int vector_bytes = 16;
 #endif
 
-/// A vector of the instruction set, a number per tile. The compiler's own vectors, so that no loop depends on
-/// whether it finds out by itself that lanes are independent.
+/// A vector of the instruction set, one number per tile. These are vector types of the compiler, so that no
+/// loop depends on auto-vectorisation.
 template <class Real>
 struct PackOf;
 template <>
@@ -78,7 +77,7 @@ MPM_INLINE void set_field(Real* record, int index, const Pack<Real>& value) {
   store<Real>(record + index * lanes<Real>, value);
 }
 
-/// Asks the cache for a record that comes soon, with all that the sweeps of a step read of it.
+/// Prefetches a record that is needed soon.
 template <class Real>
 MPM_INLINE void fetch_ahead(const TileRow<Real>& row, const Real* record) {
   constexpr int records = 6;
@@ -169,7 +168,7 @@ MPM_INLINE BlockFolds<Real> folds_of(const TileRow<Real>& row, int block) {
   return folds;
 }
 
-/// What falls to the first node goes to the straight line through the others, and so for the last node.
+/// Replaces the weight of the first node by linear extrapolation from the others; likewise for the last node.
 template <class Real>
 MPM_INLINE void fold(Pack<Real> (&w)[3], const Pack<Real>& first, const Pack<Real>& last) {
   const Pack<Real> low = first * w[0];

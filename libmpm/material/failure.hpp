@@ -1,5 +1,5 @@
-/// How a point that cracks loses its strength over the width of a crack band.
-/// What a stress does to a material point: the exact decision on a point that the fast test suspects.
+/// Failure of a material point under a stress: the exact criteria for a point that the fast test suspects,
+/// and the softening of a crack band.
 #pragma once
 
 #include "libmpm/material/stress.hpp"
@@ -11,12 +11,12 @@ namespace mpm {
 
 /// Exponential softening: the largest principal stress falls with the largest principal strain e,
 ///     s1 = peak exp(-(e - onset) / scale)   for e > onset,
-/// so that a band of the given width dissipates the fracture energy by the time it carries nothing.
+/// so that a band of the given width dissipates the fracture energy.
 /// Source: Bazant, Oh (1983), for the band; Hordijk (1991) measured a curve of this kind.
 struct Softening {
   double peak = 0;   ///< strength at which it begins [Pa]
   double onset = 0;  ///< strain at which it begins in uniaxial stress [-]
-  double scale = 0;  ///< strain over which the stress falls to 1/e [-]; not above 0 where the band snaps back
+  double scale = 0;  ///< strain over which the stress falls to 1/e [-]; <= 0 if the band snaps back
 
   /// Largest principal stress that the point still carries [Pa].
   [[nodiscard]] double stress_at(double strain) const;
@@ -25,26 +25,26 @@ struct Softening {
 /// @param peak  strength of the point [Pa].   @param band  width of the crack band [m].
 [[nodiscard]] Softening softening(const Phase& phase, Plane plane, double peak, double band);
 
-/// Width of a band above which a point of this strength snaps back [m]: it would have to give back more
-/// energy than its crack takes.
+/// Width of a band above which a point of this strength snaps back [m]: its elastic energy would exceed its
+/// fracture energy.
 [[nodiscard]] double widest_band(const Phase& phase, Plane plane, double peak);
 
-/// Largest principal strain in the plane that belongs to an elastic stress [-].
+/// Largest principal strain in the plane for an elastic stress [-].
 [[nodiscard]] double largest_strain(const Phase& phase, Plane plane, const Stress<double>& elastic);
 
-/// A material point as the decision sees it.
+/// State of a material point for the failure criteria.
 struct PointState {
   const Phase* phase = nullptr;
-  double factor = 1;                     ///< on its strength [-]
+  double factor = 1;                     ///< strength factor q [-]
   double strength = Phase::unbreakable;  ///< largest principal stress that it carries [Pa]; infinite for a
                                          ///< point that does not crack, or has cracked through
-  double kept = 1;                       ///< share of its stiffness that it still has [-]
-  double cracked = 0;  ///< with crack closure: share of its resistance to tension that it has lost [-]
-  bool spent = false;  ///< nothing can happen to it any more
+  double kept = 1;                       ///< share of its stiffness that remains [-]
+  double cracked = 0;  ///< with crack closure: share of its tensile strength that is lost [-]
+  bool spent = false;  ///< it cannot change any more
 };
 [[nodiscard]] PointState intact_point(const Phase& phase, double factor);
 
-/// What all points of a run obey.
+/// Rules for all points of a run.
 struct DamageLaw {
   Plane plane = Plane::strain;
   CrackClosure closure = CrackClosure::off;
@@ -55,11 +55,11 @@ struct DamageLaw {
 /// @param band  width of a crack band [m].
 [[nodiscard]] DamageLaw damage_law(const Scene& scene, double band, bool logarithmic);
 
-/// Stress that the point carries where an intact one would carry `elastic` [Pa].
+/// Stress [Pa] of the point if an intact point would carry `elastic` [Pa].
 [[nodiscard]] Stress<double> carried_stress(const PointState& point, const Stress<double>& elastic,
                                             const DamageLaw& law);
 
-/// What becomes of a point.
+/// Result of the failure criteria.
 struct Response {
   PointState point;  ///< afterwards
   bool changed = false;
@@ -67,10 +67,10 @@ struct Response {
                                             ///< when half of its strength is lost, and with it about half of
                                             ///< its fracture energy
 };
-/// What a point does under an elastic stress [Pa]; tension is tested first.
+/// Apply the failure criteria to a point under an elastic stress [Pa]; tension is tested first.
 [[nodiscard]] Response respond(const PointState& point, const Stress<double>& elastic, const DamageLaw& law);
 
-/// Product of a stress with the strain that belongs to the elastic stress `elastic` [J/m^3].
+/// Product of a stress with the strain of the elastic stress `elastic` [J/m^3].
 [[nodiscard]] double stress_power(const Phase& phase, Plane plane, const Stress<double>& stress,
                                   const Stress<double>& elastic);
 

@@ -1,4 +1,4 @@
-/// Stress in the plane, for the sweeps and for the slow path beside them.
+/// Stress in the plane, for the sweeps and for the exact criteria.
 /// Always inlined, so that no copy compiled for one instruction set is ever called from another.
 #pragma once
 
@@ -12,13 +12,14 @@ struct Stress {
 __attribute__((always_inline)) inline float square_root(float value) { return __builtin_sqrtf(value); }
 __attribute__((always_inline)) inline double square_root(double value) { return __builtin_sqrt(value); }
 
-/// Stress of a cracked point that still carries compression: the material without tensile strength, which is
-/// the elastic stress less that of a crack strain that opens only across a crack. The first principal stress
-/// is clipped at zero; the second loses what Poisson's effect of the opening put into it, and is clipped as
-/// well. Directions stay.
-/// @param lateral  stress that a unit stress raises at right angles to it when strain there is held [-]:
-///                 nu / (1 - nu) in plane strain, nu in plane stress. With 0 the principal stresses are
-///                 clipped and no more, which has no potential.
+/// Stress of a cracked point that still carries compression: a material without tensile strength, that is the
+/// elastic stress minus the stress of a crack opening. The first principal stress is set to zero if positive;
+/// the second loses the part due to Poisson's effect of the opening, and is then set to zero if positive.
+/// Principal directions do not change.
+/// @param lateral  lateral stress caused by a unit stress if lateral strain is prevented [-]: nu / (1 - nu)
+/// in
+///                 plane strain, nu in plane stress. With 0 the principal stresses are only clipped; this law
+///                 has no potential.
 /// Source: Del Piero, Meccanica 24 (1989), constitutive equation of masonry-like materials.
 template <class Real>
 __attribute__((always_inline)) inline Stress<Real> without_tension(const Stress<Real>& s, Real lateral) {

@@ -164,21 +164,21 @@ class Catalogue {
     const double bytes = real_ * 9 + 4;
     const auto kinematics = scene_.kinematics;
     if (moving_) {
-      add("points that move", true, "solver.kinematics is moving", bytes, std::nullopt);
-      add("checks of the limits of small strain", false, "points move from the start", 0, std::nullopt);
+      add("moving points", true, "solver.kinematics is moving", bytes, std::nullopt);
+      add("checks for the hand-over", false, "points move from the start", 0, std::nullopt);
       return;
     }
     Scene moving = scene_;
     moving.kinematics = Kinematics::moving;
-    add("points that move", false,
+    add("moving points", false,
         kinematics == Kinematics::automatic
-            ? "small strain holds at first: stress follows from the nodes, points keep their place"
+            ? "small strain at first: stress follows from the nodes, points keep their place"
             : "solver.kinematics is small_strain: stress follows from the nodes, points keep their place",
         bytes,
         scene_.loading.stop_strain > 0 ? std::optional(Variant{mpm::plan(moving), true, false})
                                        : std::nullopt);
-    add("checks of the limits of small strain", kinematics == Kinematics::automatic,
-        kinematics == Kinematics::automatic ? "solver.kinematics is auto; once a row of the history"
+    add("checks for the hand-over", kinematics == Kinematics::automatic,
+        kinematics == Kinematics::automatic ? "solver.kinematics is auto; checked at each row of the history"
                                             : "solver.kinematics is small_strain",
         0, std::nullopt);
   }
@@ -195,21 +195,21 @@ class Catalogue {
     };
     const bool usual = scene_.points_per_cell == 2 || moving_;
     add("tension test and its threshold", check != Check::none,
-        check != Check::none ? "a phase can fail" : "no phase that is present can fail", threshold_,
+        check != Check::none ? "a phase can fail" : "no phase in the specimen can fail", threshold_,
         check == Check::none ? std::optional(with_check(usual ? Check::tension : Check::tension_and_shear))
                              : std::nullopt);
     const bool shear = check == Check::tension_and_shear;
     add("shear test and its threshold", shear,
-        shear ? "a phase can fail in shear, or a kernel has no other form"
-              : "no phase that is present can fail in shear",
+        shear ? "a phase can fail in shear, or the kernel always includes it"
+              : "no phase in the specimen can fail in shear",
         threshold_,
         check == Check::tension ? std::optional(with_check(Check::tension_and_shear)) : std::nullopt);
-    add("maps of failure", check != Check::none,
+    add("failure maps", check != Check::none,
         check != Check::none ? "where, when and how points fail" : "nothing can fail", map_bytes(),
         std::nullopt);
-    add("factors on the strengths, kept", plan_.softens,
-        plan_.softens ? "a phase has a fracture_energy: its points are looked at in many steps"
-                      : "no phase has a fracture_energy; they are drawn again when a point fails",
+    add("stored strength factors", plan_.softens,
+        plan_.softens ? "a phase has a fracture_energy: its points are checked in many steps"
+                      : "no phase has a fracture_energy; factors are computed again when a point fails",
         8, std::nullopt);
     add("crack closure", closure,
         closure                                            ? "damage.crack_closure is on"
@@ -227,10 +227,10 @@ class Catalogue {
   }
 
   void add_common() {
-    add("stress out of the plane", false,
+    add("out-of-plane stress", false,
         scene_.plane == Plane::stress
             ? "it is zero in plane stress"
-            : "in plane strain it is nu (sx + sy), never the first or last of the three",
+            : "in plane strain it is nu (sx + sy), always the middle principal stress",
         real_, std::nullopt);
     const bool damping = plan_.features.damping;
     add("local damping", damping,
@@ -241,20 +241,20 @@ class Catalogue {
       const bool one = plan_.features.one_poisson_ratio;
       Variant other = as_planned();
       other.plan.features.one_poisson_ratio = false;
-      add("second elastic constant of every point", !one,
-          one ? "all phases that are present share one Poisson's ratio"
-              : "Poisson's ratios differ, or a cell has not 2 x 2 points",
+      add("second elastic constant per point", !one,
+          one ? "all phases in the specimen have the same Poisson's ratio"
+              : "Poisson's ratios differ, or cells do not have 2 x 2 points",
           real_, one ? std::optional(other) : std::nullopt);
     }
     Variant each = as_planned();
     each.ledger_each_step = true;
     add("energies at every step", plan_.steps_per_row == 1,
         plan_.steps_per_row == 1 ? "every step is a row of the history"
-                                 : "the ledger is closed once a row of the history, every " +
+                                 : "the ledger is computed once per row of the history, every " +
                                        std::to_string(plan_.steps_per_row) + " steps",
         0, plan_.steps_per_row == 1 ? std::nullopt : std::optional(each));
-    add("frames of the points for a viewer", scene_.frames > 0,
-        scene_.frames > 0 ? "output.frames is " + number(scene_.frames) + "; one at a time is kept"
+    add("frames for ParaView", scene_.frames > 0,
+        scene_.frames > 0 ? "output.frames is " + number(scene_.frames) + "; one at a time is in memory"
                           : "output.frames is 0",
         sizeof(FramePoint), std::nullopt);
     add("extra material points", !scene_.extra_points.empty(),
@@ -282,16 +282,16 @@ class Catalogue {
           plan.moving.features.transfer = moving::Return::blend;
         }))
                                                          : std::nullopt);
-    add("second way of the momentum to the nodes", moving.mapped_back,
+    add("second transfer of momentum to the nodes", moving.mapped_back,
         moving.mapped_back ? "motion.scheme is musl, or usl with apic" : "motion.scheme maps nothing back", 0,
         std::nullopt);
     const bool deforms = moving.optional.deformation;
     add("deformation gradient", deforms,
         deforms ? "motion.deformation_gradient is on"
-                : "motion.deformation_gradient is off; the volume alone is followed",
+                : "motion.deformation_gradient is off; only the volume is updated",
         4 * real_, changed([&](Plan& plan) { plan.moving.optional.deformation = !deforms; }));
-    add("sorting of the points", false,
-        "a point moves in the storage when it leaves its tile, and then alone", 0, std::nullopt);
+    add("sorting of the points", false, "a point moves in memory only when it leaves its tile", 0,
+        std::nullopt);
   }
 
   const Scene& scene_;

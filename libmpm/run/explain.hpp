@@ -1,4 +1,4 @@
-/// What a run computes, what it leaves out, and what that saves.
+/// Which features a run uses, which it does without, and how much this saves.
 #pragma once
 
 #include <optional>
@@ -9,27 +9,28 @@
 
 namespace mpm {
 
-/// A part of the model, or of the bookkeeping, that a run may go without.
+/// An optional part of the model or of the output.
 struct Feature {
   std::string name;  ///< e.g. "shear test"
-  bool in = false;   ///< this run has it
-  std::string why;   ///< half a sentence
-  double bytes = 0;  ///< memory that it takes a point [byte]
-  /// Time that it takes a point and step, measured on this scene, on this machine, just now [s]: that of the
-  /// run with the feature less that of the run without, each the fastest of several stretches. Empty where
-  /// the one cannot be had without changing the physics of the other.
+  bool in = false;   ///< the run uses it
+  std::string why;   ///< reason, half a sentence
+  double bytes = 0;  ///< memory per point [byte]
+  /// Time per point and step [s], measured now on this scene and machine: the run with the feature minus the
+  /// run without, each the fastest of several repetitions. Empty if the feature cannot be switched without
+  /// changing the physics.
   std::optional<double> time;
 };
 
+/// Features and cost of a run.
 struct Explanation {
-  std::string kinematics;         ///< of the solver that was measured: "small strain" or "moving points"
-  std::vector<Feature> features;  ///< those that are in first
-  double bytes = 0;               ///< memory of a point [byte]
-  double time = 0;                ///< of a point and step [s]
+  std::string kinematics;         ///< of the measured solver: "small strain" or "moving points"
+  std::vector<Feature> features;  ///< used features first
+  double bytes = 0;               ///< memory per point [byte]
+  double time = 0;                ///< per point and step [s]
 };
 
-/// Plan the scene, and time its first steps with and without each feature; takes a second or so.
-/// @throws Error for a scene that is not valid.
+/// Time the first steps of a scene with and without each feature; takes about a second.
+/// @throws Error for an invalid scene.
 [[nodiscard]] Explanation explain(const Scene& scene);
 
 }  // namespace mpm

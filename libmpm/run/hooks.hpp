@@ -1,4 +1,4 @@
-/// Who looks on while a run goes, and what it throws when it goes wrong.
+/// Callbacks of a run, and the exception for a run that becomes unstable.
 #pragma once
 
 #include <functional>
@@ -11,33 +11,35 @@
 
 namespace mpm {
 
-/// What an observer is told at each history row.
+/// State of the run at a row of the history, for an observer.
 struct Progress {
   const HistoryRow& row;
-  double fraction = 0;   ///< of stop_strain that is done [-]
-  double wall_time = 0;  ///< since the loop began, in all parts of the run [s]
-  /// A copy of the result up to this row, maps and figures included; to be called while the observer is.
+  double fraction = 0;   ///< share of the run that is done [-]
+  double wall_time = 0;  ///< of the time loop so far, over all resumed parts [s]
+  /// Makes a copy of the result up to this row, including maps; valid only while the observer runs.
   std::function<Result()> so_far = {};
 };
 
-/// Returns false to end the run (StopReason::interrupted).
+/// Called at each row of the history; returns false to end the run (StopReason::interrupted).
 using Observer = std::function<bool(const Progress&)>;
 
-/// Who looks on, each where they are wanted. They change nothing in the result, and what they throw ends the
-/// run.
+/// Callbacks of a run; each may be empty. They do not change the result. An exception from one ends the run
+/// and is passed on.
 struct RunHooks {
   Observer observer = {};
-  /// Is lent Scene::frames of them, at rows of the history evenly spaced over the strain (over the time
-  /// without platens), and before them the start; after a row that ends the run early its own.
+  /// Called with the initial state, then with Scene::frames frames at rows of the history that are evenly
+  /// spaced over the strain (without platens over the time). If the run ends early, the last frame is its
+  /// final state.
   FrameSink frames = {};
   CheckpointWish checkpoints = {};
 };
 
-/// Physics gone wrong: not a number, or an unstable step. The result up to there is kept.
+/// The run became unstable: a value is not a number, or energy grows without work. what() names the step, the
+/// time, the worst point and a safe CFL number.
 struct Diverged : std::runtime_error {
   Diverged(const std::string& message, Result so_far)
       : std::runtime_error(message), result(std::move(so_far)) {}
-  Result result;
+  Result result;  ///< up to the instability
 };
 
 }  // namespace mpm

@@ -1,4 +1,4 @@
-/// A run as it goes: what was recorded so far, and what ends it.
+/// A run in progress: its records so far, and the conditions that end it.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class Run {
     if (scene.loading.direction == Direction::none) result_.stop = StopReason::time;
   }
 
-  /// What was recorded, out of the archive of a checkpoint, into a run that has recorded nothing.
+  /// Restore the records from the archive of a checkpoint.   @pre nothing has been recorded.
   void restore(ArchiveReader& archive, double wall_time) {
     pass(archive, *this);
     archive.list(result_.history);
@@ -39,8 +39,8 @@ class Run {
     wall_time_before_ = wall_time;
   }
 
-  /// Steps until the run ends or `outgrown` says, after a row of the history, that the solver has done its
-  /// part.   @return whether the run goes on with another solver.
+  /// Take steps until the run ends, or until `outgrown` says at a row of the history that another solver must
+  /// continue.   @return whether the run continues with another solver.
   template <class Solver, class Outgrown>
   [[nodiscard]] bool drive(Solver& solver, bool moving, const Outgrown& outgrown) {
     if (result_.history.size() == 1) frames_.offer(solver, 0, 0);
@@ -73,7 +73,7 @@ class Run {
     return true;
   }
 
-  /// A run that did not go wrong.
+  /// The result of a run without a fault.
   template <class Solver>
   [[nodiscard]] Result end(Solver& solver) {
     frames_.close(solver, result_.history.size() - 1);

@@ -1,6 +1,5 @@
-/// What is said of a run whose physics went wrong.
-/// What a run writes down at each row of its history, and what the rows tell of it.
-/// The frames of a run: when which one is due.
+/// The rows of the history and the quantities derived from them; messages for an unstable run; the times of
+/// frames.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +17,7 @@
 
 namespace mpm {
 
-/// What was seen, when and where.
+/// An instability: what was observed, when and where.
 struct Divergence {
   std::string what = {};   ///< "energy grows without work"
   std::int64_t step = 0;   ///< number of the step
@@ -28,26 +27,25 @@ struct Divergence {
   bool moving = false;     ///< the points move
 };
 
-/// What was seen with step, time and point, the likely cause and the cure: with a solver.cfl that is safe
-/// where one is known.
+/// Message with step, time and point, the likely cause and the cure, with a safe solver.cfl if one is known.
 [[nodiscard]] std::string divergence_text(const Scene& scene, const Plan& plan, const Divergence& divergence);
 
-/// The row of a specimen that nothing has happened to yet.
+/// The row of the initial state.
 [[nodiscard]] HistoryRow first_row(const Scene& scene, const Plan& plan);
 
-/// The row of a ledger; all of it but the points that move.
+/// The row of a ledger, without the number of moving points.
 [[nodiscard]] HistoryRow history_row(const Scene& scene, const Ledger& ledger);
 
-/// Adds a row, and what the result says of all rows together.
+/// Add a row, and update the peak and the other totals of the result.
 void add_row(Result& result, const HistoryRow& row);
 
 /// Of the strain, or without platens of the time, at which the run ends [-].
 [[nodiscard]] double share_done(const Scene& scene, const HistoryRow& row);
 
-/// Whether a step made more energy than came in.   @param first  row of the history.
+/// Whether more energy was created than put in.   @param first  row of the history.
 [[nodiscard]] bool makes_energy(const HistoryRow& row, const HistoryRow& first);
 
-/// Says how well the energies of the history add up.
+/// Set the energy error of the result from its history.
 void close_ledger(Result& result);
 
 /// It costs a comparison a row where nobody asked for any.

@@ -46,7 +46,7 @@ Result run_from_the_start(const Scene& scene, const Plan& plan, const RunHooks& 
 /// Nothing of the archive may be left, and all of it must have been as it can be.
 void close(ArchiveReader& archive) {
   archive.finish();
-  if (!archive.ok()) refuse("holds " + archive.fault(), "go on from an earlier one, or begin anew");
+  if (!archive.ok()) refuse("holds " + archive.fault(), "resume from an earlier one, or start again");
 }
 
 template <class Real>
@@ -70,12 +70,12 @@ Result run_from(const Checkpoint& checkpoint, const Scene& scene, const Plan& pl
 }
 
 void check_that_it_fits(const Scene& scene, const Checkpoint& checkpoint) {
-  const char* cure = "go on with the scene that the run began with";
-  if (checkpoint.precision != scene.precision) refuse("is of another precision than the scene", cure);
-  if (checkpoint.specimen != specimen_digest(scene)) refuse("is of another specimen than the scene", cure);
+  const char* cure = "resume with the scene that the run was started with";
+  if (checkpoint.precision != scene.precision) refuse("has another precision than the scene", cure);
+  if (checkpoint.specimen != specimen_digest(scene)) refuse("has another specimen than the scene", cure);
   const bool may_move = scene.kinematics != Kinematics::small_strain;
   const bool may_stay = scene.kinematics != Kinematics::moving;
-  if (!(checkpoint.moving ? may_move : may_stay)) refuse("is of other kinematics than the scene", cure);
+  if (!(checkpoint.moving ? may_move : may_stay)) refuse("has other kinematics than the scene", cure);
 }
 
 /// The scene on the instruction set of the checkpoint, whose bits no other gives.
@@ -86,11 +86,12 @@ Scene on_the_same_instructions(const Scene& scene, const Checkpoint& checkpoint)
     return kernels->name == checkpoint.instruction_set;
   });
   if (!runs)
-    refuse("needs a processor that runs " + checkpoint.instruction_set,
-           "go on where the run began; solver.instruction_set = \"baseline\" goes on everywhere");
+    refuse("needs a processor that supports " + checkpoint.instruction_set,
+           "resume on the machine of the run; with solver.instruction_set = \"baseline\" a run resumes "
+           "anywhere");
   if (!scene.instruction_set.empty() && scene.instruction_set != checkpoint.instruction_set)
-    refuse("is of the instruction set " + checkpoint.instruction_set,
-           "go on with the scene that the run began with");
+    refuse("has the instruction set " + checkpoint.instruction_set,
+           "resume with the scene that the run was started with");
   same.instruction_set = checkpoint.instruction_set;
   return same;
 }

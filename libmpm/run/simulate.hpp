@@ -1,4 +1,4 @@
-/// The loop that drives a run.
+/// Run a scene, or resume a run from a checkpoint.
 #pragma once
 
 #include "libmpm/run/hooks.hpp"
@@ -10,18 +10,19 @@ namespace mpm {
 
 struct Plan;
 
-/// Solve a scene.
-/// @throws Error for a scene that is not valid, Diverged with the step, time and place, and what to try.
+/// Run a scene. Same scene, same bits, on any number of threads.
+/// @throws Error for an invalid scene; Diverged if the run becomes unstable; whatever a hook throws.
 [[nodiscard]] Result simulate(const Scene& scene, const RunHooks& hooks = {});
 
-/// The same by a plan that may do more than the scene needs.
+/// The same with a plan that may have more features than the scene needs.
 [[nodiscard]] Result simulate(const Scene& scene, const Plan& plan, const RunHooks& hooks = {});
 
-/// Go on from a checkpoint: the result has the same bits as if the run had never stopped, its wall time
-/// apart. Frames are lent from the one on that comes after Checkpoint::frames.
-/// @param scene  that of the checkpoint, but for its threads.
-/// @throws FileError where the checkpoint is of another specimen, precision or kinematics, of an instruction
-///         set that the processor lacks, or holds what cannot be; and what simulate() throws.
+/// Resume a run from a checkpoint. Except for its wall time, the result has the same bits as a run that never
+/// stopped. The first frame passed to the sink is the one after Checkpoint::frames.
+/// @param scene  the scene of the run; only its threads may differ.
+/// @throws FileError if the checkpoint belongs to another specimen, precision or kinematics, needs an
+/// instruction
+///         set that the processor lacks, or contains impossible values; otherwise as simulate().
 [[nodiscard]] Result resume(const Scene& scene, const Checkpoint& checkpoint, const RunHooks& hooks = {});
 
 }  // namespace mpm

@@ -58,17 +58,17 @@ std::vector<Error> faults(const Phase& phase, Plane plane) {
                                : "must lie in [0, 0.5] in plane stress");
   check(finite(phase.density) && phase.density > 0, "density", phase.density, "kg/m3", "must be > 0");
   check(phase.tensile_scale > 0, "tensile_scale", phase.tensile_scale, "Pa",
-        "must be > 0, or absent for a phase that does not crack");
+        "must be > 0, or absent for a phase that does not fail in tension");
   check(phase.cohesion > 0, "cohesion", phase.cohesion, "Pa",
-        "must be > 0, or absent for a phase that does not shear");
+        "must be > 0, or absent for a phase that does not fail in shear");
   check(phase.friction_angle >= 0 && phase.friction_angle < std::numbers::pi / 2, "friction_angle",
         phase.friction_angle * 180 / std::numbers::pi, "deg", "must lie in [0, 90) deg");
   check(finite(phase.weibull_modulus) && phase.weibull_modulus > 0, "weibull_modulus", phase.weibull_modulus,
         "", "must be > 0");
   check(finite(phase.fracture_energy) && phase.fracture_energy >= 0, "fracture_energy", phase.fracture_energy,
-        "J/m2", "must be > 0, or 0 for a phase that cracks at one blow");
+        "J/m2", "must be > 0, or 0 for a brittle phase");
   check(phase.fracture_energy == 0 || phase.can_crack(), "fracture_energy", phase.fracture_energy, "J/m2",
-        "is for a phase with a tensile_scale");
+        "needs a tensile_scale");
   return std::move(faults).found();
 }
 

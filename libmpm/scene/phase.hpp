@@ -1,5 +1,4 @@
-/// Fields on the pixels of the picture.
-/// What a phase is made of.
+/// Phases: the materials of a specimen; and fields of one value per pixel.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,13 +13,15 @@ namespace mpm {
 template <class T>
 using PixelField = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// The plane assumption: no strain, or no stress, out of the plane.
 enum class Plane { strain, stress };
 
-/// Isotropic elastic material with stochastic strength. Infinite strengths (the default) make it elastic.
+/// Isotropic linear elastic material with random strength. With infinite strengths (the default) it never
+/// fails.
 struct Phase {
   static constexpr double unbreakable = std::numeric_limits<double>::infinity();
 
-  std::string name;                    ///< as in the mask, for messages
+  std::string name;                    ///< as in the mask; used in messages
   double young = 0;                    ///< Young's modulus [Pa], > 0
   double poisson = 0;                  ///< Poisson's ratio [-], in [0, 0.5); plane stress: [0, 0.5]
   double density = 0;                  ///< [kg/m^3], > 0
@@ -28,7 +29,7 @@ struct Phase {
   double cohesion = unbreakable;       ///< Mohr-Coulomb c [Pa], > 0
   double friction_angle = 0;           ///< Mohr-Coulomb phi [rad], in [0, pi/2)
   double weibull_modulus = 1.5;        ///< m [-], > 0
-  double fracture_energy = 0;          ///< G_f of a crack band [J/m^2]; 0 = cracks at one blow
+  double fracture_energy = 0;  ///< G_f of a crack band [J/m^2]; 0 = brittle: all stress is lost at once
 
   [[nodiscard]] bool can_crack() const { return tensile_scale < unbreakable; }
   [[nodiscard]] bool can_shear() const { return cohesion < unbreakable; }
@@ -36,14 +37,15 @@ struct Phase {
   [[nodiscard]] bool can_fail() const { return can_crack() || can_shear(); }
 };
 
-/// Stiffness [Pa], shape (3, 3), of (e_xx, e_yy, gamma_xy) -> (s_xx, s_yy, s_xy).
+/// Stiffness matrix [Pa], shape (3, 3), from strains (e_xx, e_yy, gamma_xy) [-] to stresses (s_xx, s_yy,
+/// s_xy) [Pa].   @pre the phase is valid.   Never throws.
 [[nodiscard]] Eigen::Matrix3d stiffness(const Phase& phase, Plane plane);
 
-/// Speed of the fastest (compression) wave in the plane [m/s].
+/// Speed of the fastest (compression) wave in the plane [m/s].   @pre the phase is valid.
 [[nodiscard]] double wave_speed(const Phase& phase, Plane plane);
 
 /// Aggregate, mortar and ITZ of concrete, in this order.
-/// Source: Liu et al. (2020), Table 1; the density is ours, the paper gives none.
+/// Source: Liu et al. (2020), Table 1. The paper gives no density; 2400 kg/m^3 is our own choice.
 [[nodiscard]] std::vector<Phase> concrete_phases();
 
 /// @throws Error naming the first value that is out of range.

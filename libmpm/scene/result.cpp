@@ -7,12 +7,13 @@ const std::array<HistoryColumn, 15>& history_columns() {
   static const std::array<HistoryColumn, 15> columns{{
       {"time", "s", "time since the start", &Row::time},
       {"strain", "1",
-       "platen displacement over height, positive in the direction of the loading; without platens the way "
-       "of a free flight",
+       "platen displacement over height, positive in the direction of the loading; without platens the "
+       "distance of a free flight",
        &Row::strain},
       {"stress", "Pa",
-       "mean of the reactions of both platens over the width, positive as the strain; without platens the "
-       "sum of those of the lower and the upper edge",
+       "mean of the reactions of both platens over the width, positive in the direction of the loading; "
+       "without platens the "
+       "sum of the reactions of the lower and the upper edge",
        &Row::stress},
       {"stress_top", "Pa", "reaction of the top platen over the width", &Row::stress_top},
       {"stress_bottom", "Pa", "reaction of the bottom platen over the width", &Row::stress_bottom},
@@ -21,12 +22,12 @@ const std::array<HistoryColumn, 15>& history_columns() {
       {"elastic", "J/m", "elastic energy, per metre of thickness", &Row::elastic},
       {"released", "J/m", "elastic energy that failing points have lost so far, per metre of thickness",
        &Row::released},
-      {"damped", "J/m", "energy taken by local damping so far, per metre of thickness", &Row::damped},
+      {"damped", "J/m", "energy dissipated by local damping so far, per metre of thickness", &Row::damped},
       {"left", "J/m", "energy of the points that have left so far, per metre of thickness", &Row::left},
       {"tension_failures", "1", "points that have failed in tension so far", &Row::tension_failures},
       {"shear_failures", "1", "points that have failed in shear so far", &Row::shear_failures},
       {"left_points", "1", "points that have left through open edges so far", &Row::left_points},
-      {"moving_points", "1", "points that move; 0 while small strain holds", &Row::moving_points},
+      {"moving_points", "1", "moving points; 0 during small strain", &Row::moving_points},
   }};
   return columns;
 }

@@ -67,15 +67,15 @@ void check_phases(Faults& faults, const Scene& scene) {
 
 void check_platens(Faults& faults, const Loading& loading) {
   faults.require(positive(loading.velocity), "loading.velocity", text(loading.velocity, "m/s"), "must be > 0",
-                 "the direction is told by loading.direction");
+                 "loading.direction sets the direction");
   faults.require(positive(loading.stop_strain) && loading.stop_strain < 1, "loading.stop_strain",
                  text(loading.stop_strain, ""), "must lie in (0, 1)");
   for (const auto& [field, velocity] : {std::pair{"loading.initial_velocity_x", loading.initial_velocity_x},
                                         std::pair{"loading.initial_velocity_y", loading.initial_velocity_y}})
-    faults.require(velocity == 0, field, text(velocity, "m/s"), "between platens the specimen begins at rest",
+    faults.require(velocity == 0, field, text(velocity, "m/s"), "with platens the specimen starts at rest",
                    "choose loading.direction none");
   faults.require(loading.duration == 0, "loading.duration", text(loading.duration, "s"),
-                 "between platens a run ends at loading.stop_strain", "choose loading.direction none");
+                 "with platens a run ends at loading.stop_strain", "choose loading.direction none");
   faults.require(!loading.separation || loading.direction == Direction::compression, "loading.separation",
                  "true", "platens that pull must hold the specimen", "choose loading.direction compression");
 }
@@ -86,8 +86,8 @@ void check_flight(Faults& faults, const Loading& loading) {
   faults.require(std::isfinite(loading.initial_velocity_y), "loading.initial_velocity_y",
                  text(loading.initial_velocity_y, "m/s"), "must be finite");
   faults.require(positive(loading.duration), "loading.duration", text(loading.duration, "s"), "must be > 0",
-                 "without platens it says when the run ends");
-  faults.require(!loading.separation, "loading.separation", "true", "there are no platens to part from",
+                 "without platens it sets the end of the run");
+  faults.require(!loading.separation, "loading.separation", "true", "there are no platens to separate from",
                  "choose a wall in motion.bottom or motion.top");
 }
 
@@ -148,7 +148,7 @@ void check_edge(Faults& faults, const Scene& scene, const char* field, Edge edge
 void check_kinematics(Faults& faults, const Scene& scene) {
   const bool flies = scene.loading.direction == Direction::none;
   faults.require(!flies || scene.kinematics == Kinematics::moving, "loading.direction", "none",
-                 "a specimen flies by moving points only", "choose solver.kinematics moving");
+                 "free flight needs moving points", "choose solver.kinematics moving");
   faults.require(!scene.loading.separation || scene.kinematics != Kinematics::small_strain,
                  "loading.separation", "true", "is for moving points",
                  "choose solver.kinematics moving or auto");
@@ -167,15 +167,14 @@ void check_solver(Faults& faults, const Scene& scene) {
                  "must lie in [0, 1)");
   faults.require(std::isfinite(scene.damage.correlation_length) && scene.damage.correlation_length >= 0,
                  "damage.correlation_length", text(scene.damage.correlation_length, "m"),
-                 "must be > 0, or 0 for points that are drawn on their own");
+                 "must be > 0, or 0 for independent points");
   // The places of the random field are numbered by 31 bits.
   faults.require(scene.damage.correlation_length == 0 ||
                      std::max(scene.width(), scene.height()) / scene.damage.correlation_length < 1e9,
                  "damage.correlation_length", text(scene.damage.correlation_length, "m"),
-                 "must be more than a billionth of the specimen",
-                 "leave it out for points that are drawn on their own");
+                 "must be more than a billionth of the specimen", "omit it for independent points");
   faults.require(scene.threads >= 0 && scene.threads <= 1024, "solver.threads", std::to_string(scene.threads),
-                 "must lie in 1 ... 1024, or 0 for as many as have work and a core");
+                 "must lie in [1, 1024], or 0 for a number chosen automatically");
   faults.require(scene.history_rows >= 10, "output.history_rows", std::to_string(scene.history_rows),
                  "must be >= 10");
   faults.require(scene.frames >= 0, "output.frames", std::to_string(scene.frames), "must be >= 0");

@@ -1,13 +1,12 @@
-/// Numbers, texts and fields one behind the other in one string of bytes, little end first: the state of a
-/// run.
+/// Serialisation of the state of a run: numbers, texts and fields in one string of bytes, little-endian.
 ///
-/// Writer and reader have the same calls, so that one function passes a state both ways:
+/// Writer and reader have the same member functions, so that one function serves both:
 ///   template <class Archive, class State> void pass(Archive& archive, State& state) {
 ///     archive.whole(state.step, 0, last);
 ///     archive.block(state.displacement);
 ///   }
-/// A reader trusts no byte. The first one that cannot be is noted, and nothing is read from there on: what
-/// was to be read keeps what it had. No call throws, and none takes more memory than the bytes at hand fill.
+/// A reader checks every value. At the first impossible one it records a fault and stops reading; the
+/// remaining variables keep their values. No call throws, and none allocates more memory than the bytes need.
 #pragma once
 
 #include <bit>
@@ -34,7 +33,7 @@ class ArchiveWriter {
   void finite(const Real& value) {
     raw(&value, 1);
   }
-  /// A whole number from `low` to `high`, kept in 64 bits.
+  /// An integer from `low` to `high`, stored in 64 bits.
   template <class Whole>
   void whole(const Whole& value, std::int64_t /*low*/, std::int64_t /*high*/) {
     const auto number = static_cast<std::int64_t>(value);
@@ -60,7 +59,7 @@ class ArchiveWriter {
     if (count > 0) bytes_.append(reinterpret_cast<const char*>(values), count * sizeof(T));
   }
 
-  /// All that was written, moved out.
+  /// The bytes written, moved out.
   [[nodiscard]] std::string take() { return std::move(bytes_); }
 
  private:
@@ -85,14 +84,14 @@ class ArchiveReader {
     static_assert(std::is_floating_point_v<Real>);
     Real number = 0;
     if (!raw(&number, 1)) return;
-    if (!std::isfinite(number)) return fail("a number that is none");
+    if (!std::isfinite(number)) return fail("a value that is not a number");
     value = number;
   }
   template <class Whole>
   void whole(Whole& value, std::int64_t low, std::int64_t high) {
     std::int64_t number = 0;
     if (!raw(&number, 1)) return;
-    if (number < low || number > high) return fail("a number out of its range");
+    if (number < low || number > high) return fail("a number out of range");
     value = static_cast<Whole>(number);
   }
   void flag(bool& value) {
@@ -136,13 +135,13 @@ class ArchiveReader {
     return count <= bytes_.size() / size;
   }
 
-  /// Notes what cannot be; the first note counts.
+  /// Records a fault; only the first is kept.
   void fail(std::string_view what) {
     if (ok()) fault_ = what;
   }
-  /// Nothing may be left.
+  /// Records a fault if bytes are left.
   void finish() {
-    if (!bytes_.empty()) fail("bytes behind its end");
+    if (!bytes_.empty()) fail("bytes after its end");
   }
   [[nodiscard]] bool ok() const { return fault_.empty(); }
   [[nodiscard]] const std::string& fault() const { return fault_; }

@@ -1,5 +1,5 @@
-/// SHA-256, by which a checkpoint tells whether it is whole, and whose it is.
-/// A run as it stands after a row of its history, from which it goes on as if it had never stopped.
+/// Checkpoints: the state of a run after a row of its history, from which resume() continues with the same
+/// bits; and the SHA-256 digests that identify a specimen and detect damaged files.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ namespace mpm {
 
 inline constexpr std::size_t sha256_bytes = 32;
 
-/// One under way.
+/// A digest in progress.
 class Sha256 {
  public:
   Sha256();
   Sha256& add(std::string_view bytes);
-  /// The digest as 32 bytes; nothing may be added any more.
+  /// The digest, 32 bytes. Call it once, after the last add().
   [[nodiscard]] std::string digest();
 
  private:
@@ -33,36 +33,37 @@ class Sha256 {
   std::unique_ptr<Context, Free> context_;
 };
 
-/// A frame that a run has lent to its sink.
+/// A frame that the run has passed to its sink.
 struct FrameTaken {
-  double time = 0;          ///< [s]
-  std::int64_t points = 0;  ///< in it
+  double time = 0;          ///< of the points [s]
+  std::int64_t points = 0;  ///< number of points in the frame
 };
 
+/// The state of a run after a row of its history.
 struct Checkpoint {
   Precision precision = Precision::double_;
-  bool moving = false;             ///< points move; with Kinematics::automatic small strain has ended
-  std::string instruction_set;     ///< that the kernels run on: the bits depend on it
+  bool moving = false;             ///< moving points; with Kinematics::automatic the hand-over has happened
+  std::string instruction_set;     ///< used by the kernels; the bits of the result depend on it
   std::string specimen;            ///< specimen_digest() of the scene
-  std::int64_t step = 0;           ///< steps that led here
-  double fraction = 0;             ///< of the run that is done [-]
-  double wall_time = 0;            ///< of the time loop so far, in all its parts [s]
-  std::vector<FrameTaken> frames;  ///< taken so far, in their order
-  std::string state;               ///< all that the next steps depend on, but what follows from the scene
+  std::int64_t step = 0;           ///< steps so far
+  double fraction = 0;             ///< share of the run that is done [-]
+  double wall_time = 0;            ///< of the time loop so far, over all resumed parts [s]
+  std::vector<FrameTaken> frames;  ///< frames so far, in their order
+  std::string state;               ///< state of the solver, without what follows from the scene
 };
 
-/// Is lent each checkpoint as the run comes to it. What it throws ends the run.
+/// Called with each checkpoint, which is valid during the call. An exception ends the run.
 using CheckpointSink = std::function<void(const Checkpoint&)>;
 
-/// What is asked of a run that may have to go on another day.
+/// When a run makes checkpoints.
 struct CheckpointWish {
-  CheckpointSink sink;  ///< gets one when the observer ends the run, too; none: there are no checkpoints
-  /// Wall time between two of them [s]; 0: none on the way. They come at rows of the history, and further
-  /// apart where making one takes more than a hundredth of this.
+  CheckpointSink sink;  ///< also called when the observer ends the run; empty = no checkpoints
+  /// Wall time between checkpoints [s]; 0 = only when the run is ended. Checkpoints are made at rows of the
+  /// history, and less often if making one takes more than a hundredth of this time.
   double every = 0;
 };
 
-/// SHA-256 of what is broken: labels, pixel size and extra points, 32 bytes.
+/// SHA-256 of the specimen of a scene (labels, pixel size and extra points), 32 bytes.
 [[nodiscard]] std::string specimen_digest(const Scene& scene);
 
 }  // namespace mpm

@@ -1,4 +1,4 @@
-/// What a solver counts on the way: energies, and where and when which point failed.
+/// Records of a solver during a run: energies, and the time and place of failures.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,10 @@
 
 namespace mpm {
 
-/// What a stretch of steps ends with, for the history.
-/// Forces are those on the specimen, up is positive.
+/// Energy ledger after some steps, for the history. Forces act on the specimen, upwards positive.
 struct Ledger {
   double time = 0;                 ///< at the beginning of the last step [s]
-  double platen_displacement = 0;  ///< then [m], its amount
+  double platen_displacement = 0;  ///< at this time [m], absolute value
   double force_top = 0;            ///< [N/m]
   double force_bottom = 0;         ///< [N/m]
   double platen_work = 0;          ///< [J/m]
@@ -30,8 +29,8 @@ struct Ledger {
   std::int64_t shear_failures = 0;
   std::int64_t left_points = 0;
   std::int64_t carrying_points = 0;  ///< that still have some stiffness
-  std::int64_t diverged_at = -1;     ///< step at which something stopped being a number; -1 = nothing did
-  std::string trouble;  ///< what went wrong otherwise, with the step and the point; empty = nothing
+  std::int64_t diverged_at = -1;     ///< step at which a value became not-a-number; -1 = none
+  std::string trouble;               ///< another fault, with the step and the point; empty = none
 };
 
 /// Counts and energies so far.
@@ -42,7 +41,7 @@ struct Tally {
   std::int64_t tension_failures = 0, shear_failures = 0;
 };
 
-/// Where and when which point failed; see Result.
+/// Failure maps; see Result.
 struct FailureMaps {
   PixelField<float> failure_strain, crush_strain;
   PixelField<std::uint8_t> failure_mode;
@@ -69,7 +68,7 @@ void pass_maps(Archive& archive, Maps& maps) {
     const std::uint8_t* first = maps.failure_mode.data();
     if (!std::all_of(first, first + maps.failure_mode.size(), is_mode) ||
         !std::all_of(maps.extra_failure_mode.begin(), maps.extra_failure_mode.end(), is_mode))
-      archive.fail("a failure of no mode");
+      archive.fail("a failure without a mode");
   }
 }
 

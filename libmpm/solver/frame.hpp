@@ -1,4 +1,4 @@
-/// The points of a run as they are at one time, for those who look on.
+/// Frames: the state of all points at one time.
 #pragma once
 
 #include <cstdint>
@@ -9,43 +9,42 @@
 
 namespace mpm {
 
-/// A material point. Plain axes: x to the right and y upwards, from the lower left corner of the picture.
+/// A material point. x points to the right and y upwards, from the lower left corner of the specimen.
 struct FramePoint {
   std::uint32_t id = 0;    ///< row * columns + column of its pixel; those of extra points follow
   std::uint8_t phase = 0;  ///< label
-  double x = 0, y = 0;     ///< [m]
+  double x = 0, y = 0;     ///< position [m]
   double ux = 0, uy = 0;   ///< displacement since the start [m]
-  double vx = 0, vy = 0;   ///< [m/s]; with small strain that of half a step later
-  /// That the point carries [Pa]; zz is the one out of the plane, 0 in plane stress.
+  double vx = 0, vy = 0;   ///< velocity [m/s]; with small strain, half a step later
+  /// Stress that the point carries [Pa]; zz is out of the plane, 0 in plane stress.
   double sxx = 0, syy = 0, szz = 0, sxy = 0;
-  double damage = 0;  ///< 0 = intact, 1 = failed; between them while a crack softens [-]
+  double damage = 0;  ///< 0 = intact, 1 = failed, in between while a crack softens [-]
 
   friend bool operator==(const FramePoint&, const FramePoint&) = default;
 };
 
+/// The state of all points at one time.
 struct Frame {
-  std::int64_t step = 0;  ///< steps that led here
-  double time = 0;        ///< [s]
-  double strain = 0;      ///< platen displacement over height; without platens nominal, as in the history [-]
-  std::int64_t row =
-      0;  ///< of Result::history that was written last; with moving points it is of a step before
-  std::vector<FramePoint> points;  ///< by rising id; those that left through open edges are missing
+  std::int64_t step = 0;  ///< steps so far
+  double time = 0;        ///< of the points [s]
+  double strain = 0;      ///< platen displacement over height; nominal without platens, as in the history [-]
+  std::int64_t row = 0;   ///< last row of Result::history; with moving points it is one step older
+  std::vector<FramePoint> points;  ///< by increasing id; points that left through open edges are missing
 
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-/// Is lent each frame as the run comes to it; the next one takes its place.
+/// Called with each frame, which is valid during the call.
 using FrameSink = std::function<void(const Frame&)>;
 
-/// What a solver knows of a point beside its motion.
+/// State of a point besides its motion.
 struct FrameState {
-  double sxx = 0, syy = 0, sxy = 0;  ///< that the point carries [Pa]
-  double kept = 1;                   ///< share of its stiffness that it still has [-]
-  double cracked = 0;                ///< share of its resistance to tension that it has lost [-]
+  double sxx = 0, syy = 0, sxy = 0;  ///< stress that the point carries [Pa]
+  double kept = 1;                   ///< share of its stiffness that remains [-]
+  double cracked = 0;                ///< share of its tensile strength that is lost [-]
 };
 
-/// Adds to a point that knows its id, place and velocity what follows from them, from its state and the
-/// scene.
+/// Completes a point that has id, position and velocity with its phase, displacement, stress and damage.
 [[nodiscard]] FramePoint completed(FramePoint point, const FrameState& state, const Scene& scene);
 
 }  // namespace mpm

@@ -73,7 +73,8 @@ void set_margins(const Scene& scene, double cell_size, MovingPlan& plan) {
   // A grid without a margin is as large as the picture, which has its own limit.
   if (left + right + bottom + top > 0 && !(wanted <= most))
     throw Error("motion.margin", text(margin, "m"),
-                "makes a grid of " + text(wanted, "cells") + ", 200 million are allowed", "make it smaller");
+                "makes a grid of " + text(wanted, "cells") + "; at most 200 million are allowed",
+                "make it smaller");
   plan.margin_left = static_cast<int>(left);
   plan.margin_right = static_cast<int>(right);
   plan.margin_bottom = static_cast<int>(bottom);
@@ -143,9 +144,9 @@ int threads_worth_having(const Scene& scene) {
 void refuse_other_width(const Scene& scene, const Plan& plan) {
   if (scene.kinematics == Kinematics::automatic && plan.moving.crack_band != plan.cell_size)
     throw Error("motion.shape",
-                scene.motion.shape == Shape::bspline ? "bspline" : "gimp with one point a cell",
+                scene.motion.shape == Shape::bspline ? "bspline" : "gimp with one point per cell",
                 "smears a crack over two cells, and small strain over one",
-                "choose linear or gimp with 2 x 2 points a cell, or solver.kinematics moving");
+                "choose linear or gimp with 2 x 2 points per cell, or solver.kinematics moving");
 }
 
 /// Strongest point of each phase that softens, by label [-]; 0 = none.

@@ -1,4 +1,4 @@
-/// What a run needs, decided once from its scene.
+/// The plan of a run: everything that follows from its scene before the time loop.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace mpm {
 
-/// What moving points need beside that.
+/// Additional plan for moving points.
 struct MovingPlan {
-  moving::Features features;        ///< what their sweeps are compiled with
-  moving::OptionalFields optional;  ///< numbers of a point that this run carries
-  bool mapped_back = true;  ///< the new momentum goes to the nodes once more (MUSL, and USL with APIC)
-  double half_size = 0.5;   ///< of a point, over the size of a cell [-]
-  double crack_band = 0;    ///< width over which a crack is smeared [m]
+  moving::Features features;        ///< compile-time options of their sweeps
+  moving::OptionalFields optional;  ///< optional fields of a point
+  bool mapped_back = true;          ///< new momentum is mapped back to the nodes (MUSL, and USL with APIC)
+  double half_size = 0.5;           ///< of a point, over the size of a cell [-]
+  double crack_band = 0;            ///< width over which a crack is smeared [m]
   int margin_left = 0, margin_right = 0, margin_bottom = 0, margin_top = 0;  ///< cells beyond the picture
 };
 
@@ -29,17 +29,17 @@ struct Plan {
   int threads = 1;                 ///< that share the rows
   std::int64_t steps = 0;          ///< to stop_strain or the end of the duration, with this time step
   std::int64_t steps_per_row = 0;  ///< between rows of the history
-  kernels::Features features;      ///< what the sweeps are compiled with
+  kernels::Features features;      ///< compile-time options of the sweeps
   bool softens = false;            ///< some point has a fracture energy
   double poisson = 0;              ///< of all phases, when features.one_poisson_ratio
   MovingPlan moving;               ///< unless the kinematics are those of small strain
 };
 
-/// @throws Error for a scene that is not valid.
+/// @throws Error for an invalid scene.
 [[nodiscard]] Plan plan(const Scene& scene);
 
-/// Share of the time step that local damping leaves [-]: where the motion slows down, the damping force adds
-/// to the force that slows it, as if the specimen were stiffer by the factor 1 + local_damping.
+/// Factor of local damping on the time step [-]: where the motion slows down, damping adds to the
+/// decelerating force, as if the specimen were stiffer by the factor 1 + local_damping.
 [[nodiscard]] double damped_share(double local_damping);
 
 /// Velocity of the top platen over its full value at a time [-]: a smooth step without a jump in

@@ -1,5 +1,4 @@
-/// Where the threads of a run wait for each other, some thousand times a second.
-/// How busy the machine is.
+/// The barrier of the threads of a run, used thousands of times a second; and the number of idle cores.
 #pragma once
 
 #include <atomic>
@@ -13,14 +12,14 @@
 
 namespace mpm {
 
-/// Like std::barrier, for waits that are shorter than the way into the kernel and back: a thread first looks
-/// on, then offers its core to others, and only then sleeps. With a sleep at every wait two threads take
-/// longer than one in a run of moving points.
+/// Like std::barrier, but for waits shorter than a system call: a thread first spins, then yields its core,
+/// and only then sleeps. With a sleep at every wait, two threads are slower than one in a run of moving
+/// points.
 class Barrier {
  public:
   explicit Barrier(int threads) : threads_(threads), missing_(threads) {}
 
-  /// Returns when all threads have come here.
+  /// Returns when all threads have arrived.
   void arrive_and_wait() {
     const std::uint32_t round = round_.load(std::memory_order_relaxed);
     if (missing_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
@@ -56,7 +55,7 @@ class Barrier {
   alignas(64) std::atomic<std::uint32_t> round_{0};
 };
 
-/// Cores that nothing else uses at this moment, >= 1; all of them where the system does not tell.
+/// Number of cores that are idle now, >= 1; all cores if the system does not say.
 [[nodiscard]] int idle_cores();
 /// The same for `cores` >= 1, from what Linux says in /proc/loadavg.
 [[nodiscard]] int idle_cores(std::istream& load, int cores);

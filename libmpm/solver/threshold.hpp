@@ -1,4 +1,4 @@
-/// Thresholds as the kernels of both solvers compare them.
+/// Thresholds in the form that the kernels compare.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace mpm {
 
-/// Threshold as the sweeps keep it: never above the true one, so that nothing that fails is missed.
+/// Threshold as stored for the sweeps: never above the true one, so that no failure is missed.
 /// @param stress  [Pa].   @param scale  from a stress to the measure of the sweeps.
 [[nodiscard]] inline float stored_threshold(double stress, double scale) {
   const double scaled = stress * scale;

@@ -1,5 +1,4 @@
-/// The one exception that the specimen library throws for a user's mistake.
-/// How quantities read in the texts of errors.
+/// The exception of the specimen library, and the format of quantities in its messages.
 #pragma once
 
 #include <stdexcept>
@@ -9,34 +8,35 @@
 
 namespace specimen {
 
-/// What kind of mistake it was; the program maps it to its exit code.
+/// Kind of an error; the program derives its exit code from it.
 enum class Fault {
-  data,   ///< a value, a picture or a file's content is not usable
+  data,   ///< a value, a picture or the content of a file is invalid
   write,  ///< a file could not be read from or written to disk
 };
 
-/// A user's mistake: which field, the value met, what is allowed, and how to cure it.
-/// what() reads "field: value; allowed; cure" with the empty parts left out.
+/// A user's mistake: the field, its value, what is allowed, and how to correct it.
+/// what() reads "field: value; allowed; cure" without the empty parts. Numbers carry their unit, e.g.
+/// "generate.gap: -1 mm; must be >= 0".
 struct Error : std::runtime_error {
   Error(std::string field_name, std::string value_met, std::string what_is_allowed,
         std::string how_to_cure = {}, Fault kind = Fault::data);
 
-  std::string field;    ///< the option or the file that is at fault, e.g. "generate.fraction"
-  std::string value;    ///< the value met, with its unit
-  std::string allowed;  ///< what would have been accepted
+  std::string field;    ///< the option or file at fault, e.g. "generate.fraction"
+  std::string value;    ///< the value found, with its unit
+  std::string allowed;  ///< what is accepted instead
   std::string cure;     ///< what to try
-  Fault fault;
+  Fault fault;          ///< kind of the error
 };
 
-/// "12.5": at most six significant digits, a point whatever the locale.
+/// A number with at most six significant digits and a decimal point in every locale, e.g. "12.5".
 [[nodiscard]] std::string number(double value);
-/// "12.5 mm" of metres.
+/// A length in mm, e.g. "12.5 mm".   @param metres  length [m].
 [[nodiscard]] std::string millimetres(double metres);
-/// "12.5 %" of a share.
+/// A share in per cent, e.g. "12.5 %".   @param share  [-].
 [[nodiscard]] std::string percent(double share);
-/// "a, b, c".
+/// Names separated by commas: "a, b, c".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
-/// The name nearest to a misspelt one by edit distance, ignoring case; empty when none is near.
+/// The name closest to a misspelt one by edit distance, ignoring case; empty if none is close.
 [[nodiscard]] std::string nearest_name(std::string_view misspelt, const std::vector<std::string>& names);
 
 }  // namespace specimen

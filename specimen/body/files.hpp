@@ -1,5 +1,4 @@
-/// Files that are either wholly there or not at all.
-/// SHA-256, so that a specimen can say which bytes it was made from.
+/// Writing of files completely or not at all, and the SHA-256 of files.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +9,23 @@
 
 namespace specimen {
 
-/// Put bytes on disk as `path`: written to a temporary name beside it, flushed to the disk, closed, renamed.
-/// Whoever reads `path` meanwhile sees the old file or the new one, never a part; a failure leaves the old
-/// one and no temporary file.
-/// @throws Error (Fault::write) naming the path and the system's reason.
+/// Write bytes to a temporary name beside `path`, flush them to disk, close and rename the file. A reader
+/// sees the old or the new file, never a part. On failure the old file remains and the temporary file is
+/// removed.
+/// @throws Error (Fault::write) naming the path and the reason from the system.
 void replace_file(const std::string& path, std::span<const std::byte> bytes);
 
 /// Takes the next bytes of a file.
 using ByteSink = std::function<void(std::span<const std::byte>)>;
 
-/// The same for a file that is too large to be held in memory.
-/// @param produce  hands the bytes to the sink that it is given, piece by piece; what it throws leaves the
-/// old file as well.
+/// The same for a file that does not fit in memory.
+/// @param produce  passes the bytes to its sink, piece by piece. If it throws, the old file remains.
 void replace_file(const std::string& path, const std::function<void(const ByteSink&)>& produce);
 
-/// Lower-case hexadecimal SHA-256 of a file's bytes, read in pieces.   @throws Error when it cannot be read.
+/// SHA-256 of the bytes of a file, in lower-case hexadecimal.   @throws Error if it cannot be read.
 [[nodiscard]] std::string sha256_of_file(const std::string& path);
 
-/// The same of a text.
+/// SHA-256 of a text, in lower-case hexadecimal.
 [[nodiscard]] std::string sha256_of_text(std::string_view text);
 
 }  // namespace specimen

@@ -15,8 +15,8 @@ std::uint8_t label_of(std::vector<std::string>& phases, std::string_view name) {
   if (found != phases.end()) return static_cast<std::uint8_t>(found - phases.begin());
   if (name.empty()) throw Error("phase", "an empty name", "must have at least one letter");
   if (phases.size() >= most_phases) {
-    throw Error("phase", std::string(name), "at most 256 phases can be told apart",
-                "give several phases one name");
+    throw Error("phase", std::string(name), "at most 256 phases are allowed",
+                "give several phases the same name");
   }
   phases.emplace_back(name);
   return static_cast<std::uint8_t>(phases.size() - 1);

@@ -1,11 +1,11 @@
-/// The labelled pixel mask: which phase each pixel of the specimen is made of.
+/// The labelled mask: the phase of each pixel of the specimen.
 ///
-/// Orientation, said here once: row 0 is the TOP of the picture; x points right, y points UP;
+/// Orientation, defined here once: row 0 is the TOP of the picture; x points right, y points UP;
 /// the origin is the bottom left corner of the specimen. The centre of pixel (row, col) lies at
 ///   x = (col + 1/2) d,   y = (rows - row - 1/2) d,   d = pixel_size,
 /// so the bottom left pixel (rows - 1, 0) has its centre half a pixel inside both edges.
-/// Arithmetic of plane vectors.
-/// Connected pieces of a picture: pixels of one value that hang together.
+///
+/// Also: vectors in the plane, and connected components of a picture.
 #pragma once
 
 #include <cmath>
@@ -21,8 +21,8 @@ namespace specimen {
 
 /// Position or vector in the plane of the specimen [m].
 struct Point {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< to the right [m]
+  double y = 0;  ///< upwards [m]
   friend bool operator==(const Point&, const Point&) = default;
 };
 
@@ -34,13 +34,13 @@ inline constexpr std::uint8_t mortar = 2;
 inline constexpr std::uint8_t itz = 3;
 }  // namespace phase
 
-/// Names of the four phases with a fixed label, in the order of their labels.
+/// Names of the four phases with fixed labels, by label.
 [[nodiscard]] std::vector<std::string> standard_phases();
 
-/// Phases of a specimen, one label per pixel.
+/// The phase of each pixel of a specimen.
 struct LabelledMask {
-  Raster<std::uint8_t> labels;                          ///< label per pixel, shape (rows, cols), row 0 on top
-  double pixel_size = 0;                                ///< edge of a pixel [m], > 0
+  Raster<std::uint8_t> labels;  ///< label per pixel, shape (rows, cols), row 0 at the top
+  double pixel_size = 0;        ///< edge of a pixel [m], > 0
   std::vector<std::string> phases = standard_phases();  ///< phases[label] is the name of the label
 
   [[nodiscard]] double width() const { return labels.cols * pixel_size; }   ///< [m]
@@ -52,8 +52,8 @@ struct LabelledMask {
   friend bool operator==(const LabelledMask&, const LabelledMask&) = default;
 };
 
-/// Label of a phase name; adds the name to `phases` where it is new.
-/// @throws Error when 256 phases are already named or the name is empty.
+/// Label of a phase name; adds the name to `phases` if it is new.
+/// @throws Error if 256 phases have names already, or the name is empty.
 std::uint8_t label_of(std::vector<std::string>& phases, std::string_view name);
 
 /// Number of pixels per label, shape (phases.size()).
@@ -73,19 +73,20 @@ inline Point normalized(Point p) { return (1 / length(p)) * p; }
 /// p turned by 90 degrees counter-clockwise.
 inline Point turned_left(Point p) { return {-p.y, p.x}; }
 
-/// Which neighbours hang together.
+/// Which neighbouring pixels are connected.
 enum class Connectivity {
   edges,    ///< the 4 that share an edge
   corners,  ///< the 8 that share an edge or a corner
 };
 
-/// Pieces of equal value, numbered 0, 1, ... in the order in which they are met row by row.
+/// Connected components of equal value, numbered 0, 1, ... in row-by-row order.
 struct Components {
-  Raster<std::int32_t> piece;      ///< number of the piece per pixel
-  std::vector<std::int64_t> area;  ///< [px] per piece
+  Raster<std::int32_t> piece;      ///< number of the component of each pixel
+  std::vector<std::int64_t> area;  ///< pixels per component
   [[nodiscard]] int count() const { return static_cast<int>(area.size()); }
 };
 
+/// Connected components of equal value.
 [[nodiscard]] Components connected_pieces(const Raster<std::int32_t>& values, Connectivity connectivity);
 [[nodiscard]] Components connected_pieces(const Raster<std::uint8_t>& values, Connectivity connectivity);
 

@@ -147,7 +147,7 @@ std::string grouped(std::int64_t count) {
 }
 
 std::string counted(std::int64_t count, const std::string& noun) {
-  return grouped(count) + " " + noun + (count == 1 ? "" : "s");
+  return grouped(count) + " " + noun + (count == 1 ? "" : noun.ends_with('s') ? "es" : "s");
 }
 
 std::string share_text(double part, double whole) {

@@ -1,5 +1,5 @@
-/// Aggregates of a mask: contour, area, perimeter and ellipse of each grain.
-/// How figures read in the notes of a conversion.
+/// Measures of the aggregates of a mask: contour, area, perimeter and ellipse of each grain; and the format
+/// of numbers in the notes of a conversion.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 namespace specimen {
 
 /// Measure every grain of an instance raster.
-/// The contour runs round the largest connected piece, through the middles of the pixel edges between inside
-/// and outside; the ellipse has the axes' ratio and direction of the second moments and the area of the
-/// grain; the perimeter is the length of the contour times pi / (8 (sqrt 2 - 1)), which takes the mean over
-/// all directions of the staircase's excess off. Source: Vossepoel, Smeulders (1982).
+/// The contour runs around the largest connected piece, through the midpoints of the pixel edges between
+/// inside and outside. The ellipse has the area of the grain, and the axis ratio and direction of its second
+/// moments. The perimeter is the length of the contour times pi / (8 (sqrt 2 - 1)), which corrects the mean
+/// excess of the staircase over all directions. Source: Vossepoel, Smeulders (1982).
 /// @param instances  0 = none, else ids 1 ... n, each of which occurs.   @param pixel_size  [m].
 [[nodiscard]] std::vector<Inclusion> measure_inclusions(const Raster<std::int32_t>& instances,
                                                         double pixel_size);
@@ -24,13 +24,13 @@ namespace specimen {
 [[nodiscard]] std::string grouped(std::int64_t count);
 /// "1 island", "1,234 islands".
 [[nodiscard]] std::string counted(std::int64_t count, const std::string& noun);
-/// "3.2 %" of a share; "0.004 %" where one decimal would say nothing.
+/// A share in per cent: "3.2 %", or "0.004 %" if one decimal is not enough.
 [[nodiscard]] std::string share_text(double part, double whole);
-/// "0.5 mm" of metres, four significant digits.
+/// A length [m] in mm with four significant digits: "0.5 mm".
 [[nodiscard]] std::string length_text(double metres);
-/// "2.5 mm2" of square metres, three significant digits.
+/// An area [m^2] in mm2 with three significant digits: "2.5 mm2".
 [[nodiscard]] std::string area_text(double square_metres);
-/// Four significant digits, a point whatever the locale.
+/// Four significant digits, with a decimal point in every locale.
 [[nodiscard]] std::string short_number(double value);
 
 }  // namespace specimen

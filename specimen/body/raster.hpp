@@ -1,5 +1,4 @@
-/// A rectangle of pixels, stored row by row, the top row of the picture first.
-/// Seeded random numbers, the same on every machine.
+/// A raster of pixels, and random numbers that are the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +8,7 @@
 
 namespace specimen {
 
-/// Dense picture of values, shape (rows, cols), row-major; (0, 0) is the top left pixel.
+/// Values per pixel, shape (rows, cols), row-major, top row first; (0, 0) is the top left pixel.
 template <class T>
 struct Raster {
   int rows = 0;         ///< number of pixel rows [-]
@@ -30,8 +29,8 @@ struct Raster {
   friend bool operator==(const Raster&, const Raster&) = default;
 };
 
-/// Uniform numbers from a 64-bit Mersenne twister. The standard fixes the twister's raw output but leaves
-/// its distributions to the library, so the step to doubles is made here.
+/// Uniform random numbers from a 64-bit Mersenne twister. The C++ standard defines its raw output but not
+/// that of the distributions, so the conversion to double is done here.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -1,4 +1,4 @@
-/// The interfacial transition zone: a closed polygon round every aggregate, drawn over mortar pixels.
+/// The interfacial transition zone (ITZ): a closed polygon around every aggregate, drawn over mortar pixels.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +9,34 @@
 
 namespace specimen {
 
+/// How the ITZ is represented.
 enum class ItzMode {
-  ring,    ///< ITZ pixels
-  points,  ///< extra material points at the vertices, the mask stays as it is (the paper's way)
-  none,
+  ring,    ///< as pixels
+  points,  ///< as extra material points at the vertices, as in the paper; the mask does not change
+  none,    ///< not at all
 };
 
+/// Options of the ITZ.
 struct ItzOptions {
   ItzMode mode = ItzMode::ring;
-  double thickness = 0;  ///< [m]; 0 = one pixel
-  int segments = 36;     ///< corners of a ring, >= 3
+  double thickness = 0;  ///< of the ring [m]; 0 = one pixel
+  int segments = 36;     ///< vertices of a ring, >= 3
   friend bool operator==(const ItzOptions&, const ItzOptions&) = default;
 };
 
-/// Ring of an inclusion: an exact ellipse is cut at equal steps of its parameter (as the paper does), a
-/// contour at equal arc length.
+/// Ring of an inclusion: vertices at equal steps of the parameter of an ellipse (as in the paper), or at
+/// equal arc length along a contour.
 /// @throws Error for fewer than 3 segments.
 [[nodiscard]] Ring make_ring(const Inclusion& inclusion, int segments);
 
-/// Draw one ring into the mask: mortar pixels whose centre lies within `thickness` of the polygon, and every
-/// mortar pixel that shares an edge with the inclusion, become ITZ. The ring is therefore closed at any
-/// thickness. The cost is that of the pixels near the polygon and of one look at every pixel of the mask.
-/// @param instances  ids per pixel, shape of the mask.   @param thickness  [m], > 0.
-/// @throws Error when the thickness or the shape is not.
+/// Draw one ring into the mask: mortar pixels whose centre is within `thickness` of the polygon, and mortar
+/// pixels that share an edge with the inclusion, become ITZ. So the ring is closed at any thickness. The cost
+/// is one pass over the mask plus the pixels near the polygon.
+/// @param instances  id of the inclusion per pixel, shape of the mask.   @param thickness  [m], > 0.
+/// @throws Error for a thickness <= 0, or instances of another shape.
 void draw_ring(LabelledMask& mask, const Raster<std::int32_t>& instances, const Ring& ring, double thickness);
 
-/// The same for many rings: one look at every pixel serves them all.
+/// The same for many rings, in one pass over the mask.
 void draw_rings(LabelledMask& mask, const Raster<std::int32_t>& instances, const std::vector<Ring>& rings,
                 double thickness);
 

@@ -52,7 +52,7 @@ void check_phases(const std::vector<std::string>& phases) {
   for (const std::string& name : phases) {
     if (name.empty()) throw Error("phases", "an empty name", "every phase needs a name");
     if (!seen.insert(name).second)
-      throw Error("phases", "'" + name + "' twice", "every phase needs a name of its own");
+      throw Error("phases", "'" + name + "' twice", "every phase needs a unique name");
   }
 }
 
@@ -116,7 +116,7 @@ std::unordered_set<int> check_inclusions(const std::vector<Inclusion>& inclusion
     check_inclusion(inclusions[i], i);
     if (!ids.insert(inclusions[i].id).second)
       throw Error(numbered("inclusions", i, "id"), to_string(inclusions[i].id) + " was used before",
-                  "must be an id of its own");
+                  "must be a unique id");
     points += static_cast<std::int64_t>(inclusions[i].contour.size());
   }
   check_at_most("contours", points, max_points);
@@ -146,7 +146,7 @@ void check_rings(const std::vector<Ring>& rings, const std::unordered_set<int>& 
     check_ring(rings[i], i, ids);
     if (!ringed.insert(rings[i].inclusion).second)
       throw Error(numbered("rings", i, "inclusion"), to_string(rings[i].inclusion) + " has a ring already",
-                  "must be one ring an inclusion");
+                  "must be one ring per inclusion");
     points += static_cast<std::int64_t>(rings[i].vertices.size());
   }
   check_at_most("rings", points, max_points);

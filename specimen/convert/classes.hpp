@@ -1,5 +1,4 @@
-/// k-means: points gathered into classes.
-/// Thresholds between the grey levels of a picture: Otsu's, for any number of classes.
+/// Classification: k-means, and Otsu's thresholds for any number of classes.
 #pragma once
 
 #include <array>
@@ -13,7 +12,7 @@ namespace specimen {
 /// A point of up to four coordinates.
 using Position = std::array<double, 4>;
 
-/// A point that stands for `weight` equal ones.
+/// A point that represents `weight` equal points.
 struct WeightedPoint {
   Position at{};
   double weight = 1;
@@ -24,7 +23,7 @@ struct Clusters {
   double spread = 0;  ///< sum of weighted squared distances to the centres
 };
 
-/// Index of the nearest centre; the first of equally near ones.
+/// Index of the nearest centre; the first of several equally near ones.
 [[nodiscard]] int nearest(const std::vector<Position>& centres, const Position& at);
 
 /// k-means by Lloyd's iteration, the best of five starts drawn by k-means++ from a fixed seed: the same
@@ -38,9 +37,9 @@ struct Clusters {
                                                    const std::vector<double>& thresholds);
 
 /// Thresholds that cut the values into `classes` with the least sum of squared deviations within the classes
-/// (Otsu's criterion), exact for the histogram: one bin a level for integers that span up to 1024 levels,
-/// else 1024 bins. Fewer occupied bins than classes give fewer thresholds. Source: Otsu (1979); the dynamic
-/// programme over class ends is that of Fisher (1958).
+/// (Otsu's criterion), exact for the histogram: one bin per level for integers with a span of up to 1024
+/// levels, otherwise 1024 bins. Fewer occupied bins than classes give fewer thresholds. Source: Otsu (1979);
+/// the dynamic programme over class ends is that of Fisher (1958).
 [[nodiscard]] std::vector<double> otsu_thresholds(const Raster<double>& values, int classes);
 
 }  // namespace specimen

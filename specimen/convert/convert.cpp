@@ -73,10 +73,10 @@ void clean(Raster<Cell>& cells, const CleaningPlan& plan, double cell_size, Conv
   if (plan.settle_minerals) {
     constexpr double mostly = 0.6;
     const Changed minerals = absorb(cells, phase::void_, phase::aggregate, mostly);
-    note_change(report, "took " + counted(minerals.pieces, "void") + " inside aggregates for dark minerals",
+    note_change(report, "treated " + counted(minerals.pieces, "void") + " inside aggregates as dark minerals",
                 minerals.pixels, cells.size());
     const Changed walls = absorb(cells, phase::aggregate, phase::void_, mostly);
-    note_change(report, "took " + counted(walls.pieces, "aggregate") + " inside voids for their walls",
+    note_change(report, "treated " + counted(walls.pieces, "aggregate") + " inside voids as their walls",
                 walls.pixels, cells.size());
   }
   if (plan.least[phase::mortar] > 0) {
@@ -98,7 +98,7 @@ void clean(Raster<Cell>& cells, const CleaningPlan& plan, double cell_size, Conv
 void separate_grains(Sorted& sorted, const ConvertOptions& o, ConvertReport& report) {
   if (sorted.keeps_grains) {
     if (o.split_touching)
-      report.notes.emplace_back("split nothing: the picture tells the grains apart itself");
+      report.notes.emplace_back("split nothing: the picture already separates the grains");
     return;
   }
   const int before = number_grains(sorted.cells);
@@ -113,13 +113,14 @@ double resample(Sorted& sorted, const Picture& picture, const ConvertOptions& o,
   if (o.pixels == 0) return source_pixel;
   const Resampling to = choose_mask_size(picture.rows(), picture.cols(), sorted.factor, o.pixels);
   sorted.cells = resampled(sorted.cells, to);
-  report.notes.push_back("brought " + grouped(picture.cols()) + " x " + grouped(picture.rows()) +
+  report.notes.push_back("resampled " + grouped(picture.cols()) + " x " + grouped(picture.rows()) +
                          " pixels to " + grouped(to.cols) + " x " + grouped(to.rows) +
                          (to.cols > to.source_cols ? " by the nearest" : " by majority"));
   const double left_out = picture.rows() - to.rows * to.ratio();
   if (left_out > 0.01)
-    report.notes.push_back("left out " + short_number(left_out) +
-                           " pixel rows at the bottom, so that the number of rows is even");
+    report.notes.push_back("omitted " + short_number(left_out) +
+                           (short_number(left_out) == "1" ? " pixel row" : " pixel rows") +
+                           " at the bottom, so that the number of rows is even");
   return source_pixel * to.ratio();
 }
 

@@ -1,32 +1,31 @@
 /// From a picture to phases and instances: segmentation, cleaning, crop, resampling.
 ///
-/// What automatic does, and what is guessed where nothing is given; all of it is told in the notes.
+/// What `automatic` does, and what is guessed for options that are not given; the notes report all of it.
 /// - Method: a picture of whole numbers with 0 and at least five others that lie in one piece each
-///   is a map of instances; one of at most eight values (32 where neighbours mostly agree) is a map
+///   is a map of instances; one of at most eight values (32 if neighbours mostly agree) is a map
 ///   of labels. Others are photographs, grey or coloured: kmeans. Options that belong to one method
-///   call for it.
-/// - Values of a map: palette indices where there is a palette, else grey values, else colours as
-///   0xRRGGBB. Values out of 0, 1, 2, 3 with 2 among them are our own labels. Of other maps the
-///   value with the largest connected piece is mortar (a matrix hangs together, aggregates do not);
-///   of three values or more, 0 and 255 are void; the rest is aggregate. Touching aggregates of
-///   different values are different inclusions.
-/// - Photographs with `pixels` are averaged to twice the columns of the mask (at least 600) before
-///   all else.
-/// - kmeans with classes = 0: a drawing of flat colours, noisy or not, gets one class a colour; in
-///   a cut whose mortar an indicator has dyed pink, tint tells mortar, aggregate and the shaded
-///   walls of voids apart; else there are two classes by tint, lightness and roughness. What is
-///   darker than half of the median is void. kmeans with a number of classes looks at the colour
-///   alone.
-/// - Classes: of three or more between thresholds the darkest is void; of the others the one with
-///   the largest connected piece is mortar, the rest aggregate.
-/// - Cleaning of photographs: median over 1 % of the shorter side; opening (of voids too) and
-///   closing by a disc of 0.5 % of it; voids inside aggregates are dark minerals, aggregates inside
-///   voids their walls; islands below 1 % of the largest aggregate (a tenth of its diameter) or 0.3
-///   % of the picture, whichever is less, and voids below 0.05 % of the picture, join what is round
-///   them. Drawings lose specks below 0.02 %.
+///   select it.
+/// - Values of a map: palette indices if there is a palette, otherwise grey values, otherwise colours as
+///   0xRRGGBB. Values from 0, 1, 2, 3 that include 2 are our own labels. In other maps the value with the
+///   largest connected piece is mortar (the matrix is connected, aggregates are not); with three values or
+///   more, 0 and 255 are void; the rest is aggregate. Touching aggregates of different values are different
+///   inclusions.
+/// - Photographs with `pixels` are first averaged to twice the columns of the mask (at least 600).
+/// - kmeans with classes = 0: a drawing in flat colours, noisy or not, gets one class per colour. In a cut
+///   whose mortar is dyed pink by an indicator, the tint separates mortar, aggregate and the shaded walls of
+///   voids. Otherwise there are two classes by tint, lightness and roughness. Pixels darker than half of the
+///   median are void. kmeans with a given number of classes uses the colour only.
+/// - Classes: of three or more classes between thresholds the darkest is void; of the others the one with the
+///   largest connected piece is mortar, the rest is aggregate.
+/// - Cleaning of photographs: median over 1 % of the shorter side; opening (of voids too) and closing by a
+/// disc
+///   of 0.5 % of it. Voids inside aggregates are dark minerals, aggregates inside voids are the walls of the
+///   voids. Islands below 1 % of the largest aggregate (a tenth of its diameter) or 0.3 % of the picture,
+///   whichever is less, and voids below 0.05 % of the picture, join their surroundings. Drawings lose specks
+///   below 0.02 %.
 ///
-/// Instances are the grains of an instance map, else connected pieces of aggregate, after cutting at the
-/// necks where asked for: pixels that share an edge hang together, pixels that touch at a corner do not.
+/// Instances are the grains of an instance map, otherwise connected pieces of aggregate, after cutting at the
+/// necks if asked for. Pixels that share an edge are connected; pixels that share only a corner are not.
 #pragma once
 
 #include <cstdint>
@@ -40,9 +39,10 @@
 
 namespace specimen {
 
+/// Segmentation method.
 enum class Segmentation {
-  automatic,   ///< decided from the picture, and told in the report
-  labels,      ///< few distinct values, each one a phase
+  automatic,   ///< chosen from the picture, and reported in the notes
+  labels,      ///< few distinct values, each one phase
   instances,   ///< 0 = matrix, one value per grain
   threshold,   ///< grey levels given by the user
   otsu,        ///< one threshold
@@ -50,54 +50,54 @@ enum class Segmentation {
   kmeans,      ///< clusters of colour in Lab; grey counts as a colour
 };
 
-/// Rectangle of source pixels; width 0 = the whole picture.
+/// Rectangle of source pixels [px], from the top left corner; width 0 = the whole picture.
 struct Crop {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// In the cleaning options -1 means automatic: nothing is cleaned on maps of labels or instances, and
-/// photographs are cleaned in proportion to the size of the picture. What automatic chose is told in the
-/// notes of the report.
+/// In the cleaning options -1 means automatic: maps of labels or instances are not cleaned, photographs are
+/// cleaned in proportion to the size of the picture. The notes report what was chosen.
 struct ConvertOptions {
   Segmentation method = Segmentation::automatic;
   /// threshold, otsu, multi_otsu: gray red green blue saturation value (0 to 255), hue (0 to 360), l (0 to
   /// 100), a b (-128 to 127). A grey picture has gray alone, in its own levels.
   std::string channel = "gray";
-  /// Rising levels of the channel; a value that reaches a threshold is in the class above. threshold only.
+  /// Increasing levels of the channel; a value at a threshold is in the class above. Only for threshold.
   std::vector<double> thresholds;
   int classes = 0;  ///< multi_otsu, kmeans: 2 to 16; 0 = automatic (3, or as many as there are flat colours)
-  /// Phases of the classes, from the darkest to the brightest (kmeans: by lightness L); empty = guessed and
-  /// told.
+  /// Phases of the classes, from the darkest to the brightest (kmeans: by lightness L); empty = guessed.
   std::vector<std::string> class_phases;
-  /// labels: value -> phase name, for every value of the picture; empty = all guessed and told.
+  /// labels: value -> phase name, for every value of the picture; empty = all guessed.
   std::vector<std::pair<std::int64_t, std::string>> label_phases;
 
-  std::int64_t max_pixels = 200'000'000;  ///< of the file; a larger picture is refused before it is decoded
+  std::int64_t max_pixels = 200'000'000;  ///< a larger picture is refused before it is decoded
   double source_pixel_size = 0;           ///< [m]; 0 = from the file's resolution tag
-  double width = 0;  ///< of the (cropped) picture [m]; the other way to give the scale; 0 = not given
+  double width = 0;  ///< of the (cropped) picture [m], instead of source_pixel_size; 0 = not given
   Crop crop;
-  /// Columns of the mask; 0 = as the picture. The rows follow and are an even number: the last one has at
-  /// least half of its picture rows, and less than two are left out at the bottom.
+  /// Columns of the mask; 0 = as the picture. The number of rows follows and is even: the last row covers at
+  /// least half of its picture rows, and less than two rows are omitted at the bottom.
   int pixels = 0;
 
   int median = -1;  ///< edge of the median filter on the picture [px], odd; 0 = none, -1 = automatic
   int open = -1;    ///< radius of the opening of aggregates [px of the source]; 0 = none, -1 = automatic
   int close = -1;   ///< radius of the closing of aggregates [px of the source]; 0 = none, -1 = automatic
-  /// Islands of any phase below this area join their surroundings [m^2]; 0 = none, -1 = automatic.
+  /// Islands of any phase smaller than this area [m^2] join their surroundings; 0 = none, -1 = automatic.
   double drop_islands = -1;
-  bool fill_holes = false;      ///< of aggregates
-  bool split_touching = false;  ///< watershed on the distance map
-  double split_depth = 0.2;  ///< how deep a neck must be to be cut, as share of the grain's inner radius [-]
+  bool fill_holes = false;      ///< fill holes in aggregates
+  bool split_touching = false;  ///< cut touching aggregates by a watershed on the distance map
+  double split_depth =
+      0.2;  ///< least depth of a neck that is cut, as share of the inner radius of the grain [-]
 };
 
-/// What conversion did, in the user's words, one sentence each; and what it guessed.
+/// What the conversion did and guessed.
 struct ConvertReport {
-  std::vector<std::string> notes;
-  Segmentation method = Segmentation::automatic;  ///< the one used, never automatic
-  std::vector<double> thresholds;                 ///< the ones used
+  std::vector<std::string> notes;                 ///< one sentence each, for the user
+  Segmentation method = Segmentation::automatic;  ///< the method used, never automatic
+  std::vector<double> thresholds;                 ///< the thresholds used, levels of the channel
   double source_pixel_size = 0;                   ///< [m]
 };
 
+/// A converted picture.
 struct Converted {
   Segmented segmented;
   ConvertReport report;
@@ -109,15 +109,15 @@ struct NoScale : Error {
 };
 
 /// Convert a picture.
-/// @throws NoScale, and Error for options that do not fit it.
+/// @throws NoScale if the scale is missing; Error if options do not fit the picture.
 [[nodiscard]] Converted convert_picture(Picture picture, const ConvertOptions& options);
 
 /// Convert a picture file.
-/// @throws Error as above, and for a file that is no allowed picture.
+/// @throws Error as above, and for a file that is not a valid picture.
 [[nodiscard]] Converted convert_picture(const std::string& path, const ConvertOptions& options);
 
-/// Intersection over union per phase of two masks of one shape; NaN for a phase in neither.
-/// @throws Error when the shapes differ.
+/// Intersection over union [-] of each phase of two masks of the same shape; NaN for a phase in neither.
+/// @throws Error if the shapes differ.
 [[nodiscard]] std::vector<double> intersection_over_union(const LabelledMask& mask,
                                                           const LabelledMask& reference);
 

@@ -52,7 +52,7 @@ void check_classes(const ConvertOptions& o) {
   if (!o.thresholds.empty()) classes = o.thresholds.size() + 1;
   if (!o.class_phases.empty() && classes != 0 && o.class_phases.size() != classes)
     throw Error("convert.class_phases", counted(static_cast<std::int64_t>(o.class_phases.size()), "name"),
-                "there are " + std::to_string(classes) + " classes", "name every class, from the darkest on");
+                "there are " + std::to_string(classes) + " classes", "name every class, darkest first");
   if (o.class_phases.size() == 1 || o.class_phases.size() > 16)
     throw Error("convert.class_phases", counted(static_cast<std::int64_t>(o.class_phases.size()), "name"),
                 "2 to 16 classes are possible");
@@ -101,7 +101,7 @@ void check_scale(const ConvertOptions& o) {
   for (const auto& [name, length] :
        {std::pair("convert.pixel_size", o.source_pixel_size), std::pair("convert.width", o.width)})
     if (!(length >= 0) || std::isinf(length))
-      throw Error(name, length_text(length), "must be > 0", "leave it out to use the file's tag");
+      throw Error(name, length_text(length), "must be > 0", "omit it to use the resolution tag of the file");
   if (o.source_pixel_size > 0 && o.width > 0)
     throw Error("convert.pixel_size",
                 length_text(o.source_pixel_size) + " beside a width of " + length_text(o.width),
@@ -162,12 +162,12 @@ double source_pixel_size(const Picture& picture, const ConvertOptions& options, 
   if (options.source_pixel_size > 0) return options.source_pixel_size;
   if (options.width > 0) return options.width / picture.cols();
   if (picture.pixel_size <= 0)
-    throw NoScale("convert.pixel_size", "not given, and the file does not say", "the scale is needed",
+    throw NoScale("convert.pixel_size", "not given, and the file has no scale", "the scale is needed",
                   "give source_pixel_size or width");
   report.notes.push_back(
       "the scale, " + length_text(picture.pixel_size) + " per pixel (" +
       short_number(0.0254 / picture.pixel_size) +
-      " dpi), is the file's own resolution tag and unconfirmed; --pixel-size or --width settle it");
+      " dpi), comes from the file's resolution tag and is unconfirmed; set it with --pixel-size or --width");
   return picture.pixel_size;
 }
 

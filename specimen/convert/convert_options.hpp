@@ -1,4 +1,4 @@
-/// Checks of the options of a conversion, and the picture and scale that they select.
+/// Checks of the options of a conversion; the crop and the scale that they define.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@ namespace specimen {
 /// Check each option by itself and against the method.   @throws Error naming the option.
 void check_options(const ConvertOptions& options);
 
-/// The part of the picture that the options keep.   @throws Error when it leaves the picture.
+/// The cropped picture.   @throws Error if the crop exceeds the picture.
 [[nodiscard]] Picture cropped(Picture picture, const Crop& crop);
 
-/// Edge of a pixel of the (cropped) picture [m]: as given, by the width, or by the file's tag, which is
-/// noted.
-/// @throws Error when there is none of them.
+/// Edge of a pixel of the (cropped) picture [m]: given directly, by the width, or by the resolution tag of
+/// the file, which adds a note.
+/// @throws Error without any of them.
 [[nodiscard]] double source_pixel_size(const Picture& picture, const ConvertOptions& options,
                                        ConvertReport& report);
 
-/// "kmeans" and the like, as the options are spelt.
+/// Name of a method as in the options, e.g. "kmeans".
 [[nodiscard]] std::string method_name(Segmentation method);
 
 }  // namespace specimen

@@ -1,4 +1,4 @@
-/// The picture while it is being cleaned: phases and grains in one raster.
+/// The picture during cleaning: phases and grains in one raster.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace specimen {
 
-/// What a pixel is: a phase label (0 to 255), or a grain of aggregate with a number of its own (above 255).
-/// So whatever moves a boundary moves phase and grain together.
+/// Value of a pixel: a phase label (0 to 255), or the number of a grain of aggregate (above 255). So a
+/// boundary of a phase and of a grain always move together.
 using Cell = std::int32_t;
 
 inline constexpr Cell first_grain = 256;
@@ -21,17 +21,17 @@ inline constexpr Cell first_grain = 256;
 }
 [[nodiscard]] constexpr bool is_aggregate(Cell cell) { return phase_of(cell) == phase::aggregate; }
 
-/// Give every connected piece of aggregate a grain number of its own, 1, 2, ... in reading order. Pixels hang
-/// together that share an edge and a grain number (or have none yet); touching at a corner is not enough.
+/// Number the connected pieces of aggregate 1, 2, ... in reading order. Pixels are connected if they share an
+/// edge and a grain number (or have none yet); a common corner is not enough.
 /// @return the number of grains.
 int number_grains(Raster<Cell>& cells);
 
-/// Cut grains at their necks: a watershed on the distance to the rim that keeps two summits apart only where
-/// the saddle between them lies deeper than `depth` times the lower summit.
+/// Cut grains at their necks: a watershed on the distance to the outline that separates two maxima only if
+/// the saddle between them is lower than the lower maximum by more than `depth` times this maximum.
 /// @param depth  [-], 0 to 1.   @return the number of grains after the cut.
 int split_grains(Raster<Cell>& cells, double depth);
 
-/// Numbers of the grains in a raster, rising.
+/// Numbers of the grains in a raster, increasing.
 [[nodiscard]] std::vector<std::int32_t> grain_numbers(const Raster<Cell>& cells);
 
 }  // namespace specimen

@@ -1,5 +1,4 @@
-/// The distinct values of a picture, when it is a map of labels or of grains.
-/// What a picture is likely to be, where the user does not say: its kind, and the phases of its values.
+/// Guesses about a picture: its kind (labels, grains or photograph), and the phases of its values.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +11,19 @@
 
 namespace specimen {
 
-/// A picture as numbers 0, 1, ... into a list of its distinct values.
+/// A picture as indices into a list of its distinct values.
 struct ValueMap {
   Raster<std::int32_t> code;         ///< index into `values` per pixel
-  std::vector<std::int64_t> values;  ///< rising
+  std::vector<std::int64_t> values;  ///< increasing
   bool colours = false;              ///< the values are colours, 0xRRGGBB
   [[nodiscard]] int count() const { return static_cast<int>(values.size()); }
 };
 
-/// Distinct values: palette indices where there is a palette, grey values, or colours as 0xRRGGBB.
-/// @return nothing when there are more than `most` of them or a grey value is no whole number.
+/// Distinct values: palette indices if there is a palette, otherwise grey values or colours as 0xRRGGBB.
+/// @return nothing for more than `most` values, or if a grey value is not an integer.
 [[nodiscard]] std::optional<ValueMap> distinct_values(const Picture& picture, int most);
 
-/// How a value is written for the user: 17, or #ff80ff for a colour.
+/// A value as shown to the user: 17, or #ff80ff for a colour.
 [[nodiscard]] std::string value_text(const ValueMap& map, int code);
 
 /// Share of the pixels that have the value of their right neighbour [-]: near 1 for a map, low for noise.
@@ -33,7 +32,7 @@ struct ValueMap {
 /// Area of the largest connected piece of each value [px].
 [[nodiscard]] std::vector<std::int64_t> largest_pieces(const Raster<std::int32_t>& code, int count);
 
-/// Most distinct values of a picture that is taken for a map without being told so.
+/// Largest number of distinct values of a picture that is taken for a map by default.
 inline constexpr int most_labels = 32;
 inline constexpr int most_grains = 65'535;
 
@@ -50,13 +49,13 @@ inline constexpr int most_grains = 65'535;
 /// - values out of 0, 1, 2, 3 with 2 among them are void, aggregate, mortar, itz, as write_labels
 ///   writes them, unless 3 is there and yet 1 and 2 share more of their boundary with each other
 ///   than with it;
-/// - else the value with the largest connected piece is mortar, for a matrix hangs together and
-///   aggregates do not; of three values or more 0 (black) and 255 are void, nothing or outside; all
-///   others are aggregate.
+/// - otherwise the value with the largest connected piece is mortar, because the matrix is connected and
+///   aggregates are not; with three values or more 0 (black) and 255 are void or outside; all others are
+///   aggregate.
 [[nodiscard]] std::vector<std::string> guess_label_phases(const ValueMap& map);
 
 /// Phase of each class of a photograph, from the darkest to the brightest: of three or more the darkest is
-/// void where `has_void` says so; of the others the one with the largest connected piece is mortar, the rest
+/// void if `has_void`; of the others the one with the largest connected piece is mortar, the rest
 /// aggregate.
 [[nodiscard]] std::vector<std::string> guess_class_phases(const Raster<std::uint8_t>& classes, int count,
                                                           bool has_void);

@@ -1,5 +1,4 @@
-/// Colour pictures as numbers: Lab, single channels, smoothing.
-/// Euclidean distances in a picture.
+/// Colour pictures: Lab, single channels, smoothing; and Euclidean distances in a picture.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 
 namespace specimen {
 
-/// A colour of CIE 1976 L*a*b* (D65) in 8-bit codes, which integer arithmetic gives alike on any machine.
+/// A colour of CIE 1976 L*a*b* (D65) in 8-bit codes, computed in integers so that all machines agree.
 struct Lab {
   std::uint8_t l_code = 0, a_code = 128, b_code = 128;
   [[nodiscard]] double l() const { return l_code * (100.0 / 255); }  ///< lightness, 0 to 100
@@ -32,8 +31,8 @@ struct Lab {
 [[nodiscard]] Raster<Rgb> median_of(const Raster<Rgb>& picture, int edge);
 
 /// Distance of every pixel with a non-zero value to the nearest pixel with zero, from centre to centre [px];
-/// 0 at the zeros themselves. Beyond the borders of the picture lies nothing. Without any zero: larger than
-/// the picture.
+/// 0 at the zeros themselves. There is nothing beyond the borders of the picture. Without any zero: larger
+/// than the picture.
 [[nodiscard]] Raster<float> distance_to_zero(const Raster<std::uint8_t>& mask);
 
 }  // namespace specimen

@@ -192,7 +192,7 @@ ColourClasses indicator_classes(const Raster<Lab>& picture, const std::vector<La
   result.centres = rising_lightness(unweighted(find_clusters(points_of(lit), classes).centres));
   result.classes = sorted_pixels(picture, result.centres, dark_below);
   result.phases = indicator_phases(result.centres, tint_threshold(lit), dark_below > 0);
-  result.reason = "the mortar is pink as an indicator makes it";
+  result.reason = "the mortar is pink from an indicator";
   return result;
 }
 

@@ -1,4 +1,4 @@
-/// Colour photographs: pixels sorted into classes of colour, and what the classes are likely to be.
+/// Colour photographs: classes of pixels by colour, and guesses of their phases.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace specimen {
 
-/// Classes of a photograph, in rising order of lightness.
+/// Classes of a photograph, by increasing lightness.
 struct ColourClasses {
   Raster<std::uint8_t> classes;   ///< class per pixel
-  std::vector<Position> centres;  ///< L, a, b of each class; last, where it was looked at, its roughness
-  bool dark = false;              ///< class 0 was set apart as far darker than the rest
+  std::vector<Position> centres;  ///< L, a, b of each class; then its roughness, if it was used
+  bool dark = false;              ///< class 0 was separated as much darker than the rest
   bool flat = false;              ///< the picture is made of this many flat colours
-  /// One guess per class where the colours alone tell it, else empty.
+  /// One guess per class if the colours alone are enough, otherwise empty.
   std::vector<std::string> phases;
-  std::string reason;  ///< for the choice of the classes, a sentence for the user
+  std::string reason;  ///< reason for the choice of the classes, a sentence for the user
 };
 
 /// k-means in Lab with the lightness at half weight: shading and grain vary in lightness more than in tint.
@@ -27,15 +27,15 @@ struct ColourClasses {
 [[nodiscard]] ColourClasses colour_classes(const Raster<Lab>& picture, int count);
 
 /// The same with the number of classes taken from the picture:
-/// - a drawing of up to 12 flat colours (noisy or not) has one class a colour;
+/// - a drawing of up to 12 flat colours (noisy or not) has one class per colour;
 /// - a cut with a pink indicator (phenolphthalein): seven classes, of which pink is mortar, an
 ///   untinted one is aggregate, and one that is between both, darker and browner, is void (the
 ///   shaded mortar inside a pore);
 /// - else two classes by tint, lightness and roughness, each over squares of 2 % of the picture:
 ///   grains that are cut or worn are smooth beside a sandy matrix.
-/// In both of the latter, pixels below half of the median lightness are a class of their own: what swallows
-/// the light is a hole. Source of the indicator's meaning: EN 14630.
-/// @param picture  calmed by a median.   @param grainy  the same picture before that, for its roughness.
+/// In both of the latter, pixels below half of the median lightness form a separate class: they are
+/// holes. Source of the indicator's meaning: EN 14630.
+/// @param picture  after a median filter.   @param grainy  the same picture before that, for its roughness.
 [[nodiscard]] ColourClasses automatic_classes(const Raster<Lab>& picture, const Raster<Lab>& grainy);
 
 }  // namespace specimen

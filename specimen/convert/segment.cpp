@@ -32,14 +32,14 @@ Segmentation implied_method(const ConvertOptions& o) {
 void refuse_median(const ConvertOptions& o, Segmentation method) {
   if (o.median > 1)
     throw Error("convert.median", std::to_string(o.median) + " px on a map of " + method_name(method),
-                "values of a map have no order to take a median in", "use drop_islands");
+                "the values of a map are not ordered, so they have no median", "use drop_islands");
 }
 
 ValueMap require_values(const Picture& picture, int most, const char* what) {
   std::optional<ValueMap> map = distinct_values(picture, most);
   if (map) return std::move(*map);
   throw Error("convert.method", what,
-              "needs a picture of whole numbers with at most " + grouped(most) + " different ones",
+              "needs a picture with whole numbers and at most " + grouped(most) + " different ones",
               "this one looks like a photograph: use kmeans or otsu");
 }
 
@@ -102,8 +102,8 @@ Sorted segment_labels(const ValueMap& map, const ConvertOptions& o, ConvertRepor
 Sorted segment_instances(const ValueMap& map, const ConvertOptions& o, ConvertReport& report) {
   refuse_median(o, Segmentation::instances);
   if (map.colours)
-    throw Error("convert.method", "instances for a colour picture", "grains are told apart by whole numbers",
-                "use labels");
+    throw Error("convert.method", "instances for a colour picture",
+                "grains are distinguished by whole numbers", "use labels");
   if (map.values.front() < 0)
     throw Error("convert.method", "instances with the value " + std::to_string(map.values.front()),
                 "0 = matrix, and each grain has a number above 0");
@@ -179,7 +179,7 @@ std::vector<double> thresholds_of(const Raster<double>& channel, const ConvertOp
 
 Sorted segment_thresholds(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
   if (picture.colour.empty() && o.channel != "gray")
-    throw Error("convert.channel", o.channel + " of a grey picture", "it has the channel gray alone");
+    throw Error("convert.channel", o.channel + " of a grey picture", "it has only the channel gray");
   Sorted sorted;
   sorted.photograph = true;
   const Raster<double> channel =

@@ -188,12 +188,12 @@ double side_of(double asked, double original, double pixel_size) {
 
 void check_original(const Descriptors& original) {
   if (original.sample.aggregates.empty()) {
-    throw Error("original", "no aggregate", "twins need aggregates to be like",
-                "look at how the phases are told apart");
+    throw Error("original", "no aggregate", "twins need aggregates to match",
+                "check how the phases are separated");
   }
   if (original.fraction > most_fraction) {
     throw Error("original", percent(original.fraction) + " of aggregate",
-                "must be at most " + percent(most_fraction), "look at how the phases are told apart");
+                "must be at most " + percent(most_fraction), "check how the phases are separated");
   }
 }
 

@@ -1,9 +1,9 @@
-/// Private to specimen_file*.cpp: HDF5 with handles that close themselves, and the layout both sides share.
+/// Private to specimen_file*.cpp: HDF5 handles that close automatically, and the common layout.
 ///
 ///   /                 attributes format, format_version, pixel_size, pixel_size_unit
 ///   /labels           uint8, shape (rows, cols); attribute orientation
 ///   /phases           strings; phases[label] is the name of the label
-///   /inclusions       table of InclusionRow; attribute units, one a column
+///   /inclusions       table of InclusionRow; attribute units, one per column
 ///   /contours         offsets, points: contour k is points[offsets[k]] ... points[offsets[k + 1] - 1]
 ///   /rings            offsets, points, inclusion (id); attributes mode, thickness, thickness_unit, segments
 ///   /provenance       options (one string); attributes source, sha256, seed, version
@@ -27,8 +27,8 @@ inline constexpr int format_version = 1;
 /// Names of the ITZ modes, in the order of ItzMode.
 inline constexpr std::array<const char*, 3> itz_modes = {"ring", "points", "none"};
 
-/// Silences HDF5's own printing while it lives; the caller's setting comes back afterwards, unless it is told
-/// to stay silent.
+/// Turns off the printing of HDF5 during its lifetime; then the setting of the caller is restored, unless
+/// it is told to stay off.
 class Quiet {
  public:
   Quiet() {
@@ -48,7 +48,7 @@ class Quiet {
   void* data_ = nullptr;
 };
 
-/// The innermost entry of HDF5's error stack: what really went wrong.
+/// The innermost entry of the HDF5 error stack: the actual fault.
 inline std::string reason() {
   const auto first = [](unsigned n, const H5E_error2_t* entry, void* text) -> herr_t {
     if (n == 0 && entry->desc != nullptr) *static_cast<std::string*>(text) = entry->desc;
@@ -59,7 +59,7 @@ inline std::string reason() {
   return text;
 }
 
-/// @throws Error about `object` with HDF5's reason when a call failed.
+/// @throws Error about `object` with the reason of HDF5 if a call failed.
 template <class Result>
 Result require(Result result, const std::string& object) {
   if (result < 0)

@@ -103,7 +103,7 @@ Provenance read_provenance(hid_t file) {
 void check_format(hid_t file) {
   if (hdf5::require(H5Aexists(file, "format"), "/") == 0 ||
       hdf5::read_text_attribute(file, "/", "format") != hdf5::format_name)
-    throw Error("/@format", "is no specimen of mesopix", "must be a file that mesopix wrote",
+    throw Error("/@format", "is not a mesopix specimen", "must be a file that mesopix wrote",
                 "make one with: mesopix generate, or mesopix convert");
   const int version = hdf5::read_attribute<std::int32_t>(file, "/", "format_version");
   if (version != hdf5::format_version)
@@ -118,16 +118,16 @@ void check_signature(const std::string& path) {
   if (!std::filesystem::exists(status))
     throw Error(path, "there is no such file", "must be a specimen", {}, Fault::write);
   if (!std::filesystem::is_regular_file(status))
-    throw Error(path, "is no regular file", "must be a specimen", {}, Fault::write);
+    throw Error(path, "is not a regular file", "must be a specimen", {}, Fault::write);
   if (::access(path.c_str(), R_OK) != 0)
     throw Error(path, std::generic_category().message(errno), "must be a file that can be read", {},
                 Fault::write);
   if (H5Fis_hdf5(path.c_str()) <= 0)
-    throw Error(path, "is no HDF5 file", "must be a specimen",
-                "turn a picture into one with: mesopix convert");
+    throw Error(path, "is not an HDF5 file", "must be a specimen",
+                "make one from a picture with: mesopix convert");
   if (!hdf5::heaps_are_sound(path))
     throw Error(path, "lengths in a heap of its texts are wrong", {},
-                "the file is damaged: take a copy of it, or make the specimen again");
+                "the file is damaged: use a copy, or make the specimen again");
 }
 
 Specimen read_checked(const std::string& path) {

@@ -147,7 +147,7 @@ void check_inside(const Dataset& dataset) {
   const Handle options(H5Dget_create_plist(dataset.id), dataset.name);
   const H5D_layout_t layout = H5Pget_layout(options);
   if ((layout != H5D_CHUNKED && layout != H5D_CONTIGUOUS) || H5Pget_external_count(options) > 0)
-    throw Error(dataset.name, "keeps its data elsewhere", "must be part of the file itself");
+    throw Error(dataset.name, "has its data outside the file", "must be part of the file itself");
   check_filters(options, dataset.name);
 }
 
@@ -165,7 +165,7 @@ std::size_t text_length(hid_t type, const std::string& name) {
     throw Error(name, "holds values of another type", "must be text of fixed length");
   const std::size_t length = H5Tget_size(type);
   if (length > max_text)
-    throw Error(name, to_string(length) + " bytes a text", "must be at most " + to_string(max_text));
+    throw Error(name, to_string(length) + " bytes per text", "must be at most " + to_string(max_text));
   return length;
 }
 
@@ -190,7 +190,7 @@ Handle open_object(hid_t file, const std::string& name, H5I_type_t kind) {
     H5L_info_t link;
     require(H5Lget_info(file, part.c_str(), &link, H5P_DEFAULT), name);
     if (link.type != H5L_TYPE_HARD)
-      throw Error(name, "is reached over a soft or external link", "must be part of the file itself");
+      throw Error(name, "is reached by a soft or external link", "must be part of the file itself");
     if (end == std::string::npos) break;
   }
   Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), name);

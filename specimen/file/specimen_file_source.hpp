@@ -1,6 +1,5 @@
-/// A look at the part of an HDF5 file that has no checksum. Not installed: private to specimen_file_read.cpp.
-/// Private to specimen_file_read.cpp: reads from an HDF5 file that may be damaged or hostile. Nothing is read
-/// before its place, type, extent and storage were found sound; every Error names the object.
+/// Private to specimen_file_read.cpp: reading of an HDF5 file that may be damaged or malicious. Nothing is
+/// read before its place, type, extent and storage are checked; every Error names the object.
 #pragma once
 
 #include <optional>
@@ -12,21 +11,21 @@
 namespace specimen::hdf5 {
 
 /// Whether the lengths in every global heap of a file are right. Texts of any length lie in such heaps, and
-/// the sources of virtual datasets. HDF5 1.10 goes through a heap with wrong lengths without an end, or
+/// the sources of virtual datasets. HDF5 1.10 loops forever in a heap with wrong lengths, or reads
 /// beyond its end, as soon as an attribute or a dataset that needs it is opened.
 /// @return true for a file that cannot be read: opening it says why.
 [[nodiscard]] bool heaps_are_sound(const std::string& path);
 
 using Extent = std::vector<hsize_t>;
 
-/// A dataset that was found sound; nothing was read yet.
+/// A dataset that has been checked but not read.
 struct Dataset {
   std::string name;
   Handle id;
   Extent extent;
 };
 
-/// Open /a/b, each part of which must lie in this very file: a link could make the reader open another.
+/// Open /a/b; each part must be in this file, since a link could open another file.
 [[nodiscard]] Handle open_object(hid_t file, const std::string& name, H5I_type_t kind);
 
 /// Open a dataset of that type and rank, with `limit` values at most.

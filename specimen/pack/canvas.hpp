@@ -1,4 +1,4 @@
-/// How many pixels a specimen has that is drawn.
+/// Number of pixels of a specimen to be drawn.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ struct Canvas {
 };
 
 /// @param width,height  of the specimen [m].   @param group  of the fields in errors: "generate".
-/// @throws Error when a size is not positive or no whole number of pixels, and for too many pixels.
+/// @throws Error if a size is not positive or not a whole number of pixels, or for too many pixels.
 [[nodiscard]] Canvas canvas_of(double width, double height, double pixel_size, const std::string& group);
 
 }  // namespace specimen

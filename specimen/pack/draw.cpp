@@ -137,7 +137,7 @@ Segmented draw_ellipses(const std::vector<Ellipse>& ellipses, double width, doub
     if (fill(ellipses[i], id, drawn.mask, drawn.instances) == 0) {
       throw Error("ellipses", name_of(i, ellipses[i]),
                   "holds no pixel centre: it is smaller than a pixel of " + millimetres(pixel_size),
-                  "lower the pixel size or leave such small aggregates out");
+                  "lower the pixel size or omit such small aggregates");
     }
     drawn.inclusions.push_back(make_inclusion(id, ellipses[i]));
   }

@@ -141,7 +141,8 @@ void check_range(std::string_view name, double d_min, double d_max, const Curve&
 
 Grading named_grading(std::string_view name, double d_min, double d_max, bool walraven) {
   if (!(d_min > 0) || !std::isfinite(d_min))
-    throw Error("generate.d_min", millimetres(d_min), "must be > 0", "give the size of the least aggregate");
+    throw Error("generate.d_min", millimetres(d_min), "must be > 0",
+                "give the size of the smallest aggregate");
   if (!(d_max > d_min) || !std::isfinite(d_max)) {
     throw Error("generate.d_max", millimetres(d_max), "must be above d_min, which is " + millimetres(d_min),
                 "swap them or widen the range");

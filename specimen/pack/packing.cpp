@@ -91,7 +91,7 @@ std::vector<Ellipse> shape(const std::vector<double>& diameters, const PackingOp
 [[noreturn]] void refuse_size(const Ellipse& e, const PackingOptions& options) {
   throw Error("generate.d_max", millimetres(options.grading.front().d_max),
               "an aggregate of " + millimetres(2 * e.a) + " x " + millimetres(2 * e.b) +
-                  " does not fit between the walls at any direction that was tried",
+                  " does not fit between the walls in any direction that was tried",
               "lower d_max, raise aspect_min or take a larger specimen");
 }
 

@@ -1,5 +1,5 @@
-/// Cells that hold the boxes lying in them: who is near, at a cost that does not grow with the number.
-/// Ellipses placed one by one in a room, each at the required gap from all others and from the walls.
+/// Placement of ellipses one by one, each at the required gap from all others and from the walls; with a grid
+/// of cells that finds neighbours at constant cost.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace specimen {
 struct Box {
   double left = 0, bottom = 0, right = 0, top = 0;
 };
-/// Smallest box round a body, wider by `margin` [m] on all sides.
+/// Smallest box around a body, enlarged by `margin` [m] on all sides.
 [[nodiscard]] Box box_round(const Body& body, double margin);
 
-/// Boxes of any size are entered in every cell they touch; cells as large as the smaller boxes keep both
-/// the entries of a large box and the neighbours in a cell few.
+/// Each box is entered in every cell that it touches. Cells as large as the smaller boxes keep the entries of
+/// a large box and the boxes per cell few.
 class SpatialGrid {
  public:
   /// @param cell  edge of a cell [m]; made larger where the specimen would need too many.
@@ -66,28 +66,28 @@ class SpatialGrid {
   std::vector<Cells> cells_;    // per box
 };
 
-/// Where ellipses lie and how far apart they must be.
+/// The domain of a packing and the required gap.
 struct Room {
   double width = 0;       ///< [m]
   double height = 0;      ///< [m]
-  double gap = 0;         ///< least distance to each other and to the walls [m]
-  bool periodic = false;  ///< no walls: what leaves the room on one side comes in on the other
+  double gap = 0;         ///< smallest distance to each other and to the walls [m]
+  bool periodic = false;  ///< no walls: periodic boundaries
 };
 
-/// Shifts that bring ellipses of the room to where it repeats itself [m]: nought, and in a periodic room the
-/// eight round it. Complete for ellipses whose long axis and gap fit into the room.
+/// Shifts to the periodic images [m]: zero, and in a periodic domain the eight around it. Complete for
+/// ellipses whose long axis plus gap fits into the domain.
 [[nodiscard]] std::vector<Point> repeats(const Room& room);
 
-/// True when the ellipse keeps the gap to the four walls; always in a periodic room.
+/// True when the ellipse keeps the gap to the four walls; always in a periodic domain.
 [[nodiscard]] bool clear_of_walls(const Ellipse& e, const Room& room);
 
-/// Edge of the cells of a grid for so many ellipses [m]: about one of them to a cell.
+/// Edge of the cells of a grid for so many ellipses [m]: about one ellipse per cell.
 [[nodiscard]] double cell_for(const Room& room, std::size_t count);
 
-/// The ellipses placed so far; in a periodic room their centres lie inside.
+/// The ellipses placed so far; in a periodic domain their centres lie inside.
 class Placement {
  public:
-  /// @param count  of ellipses to expect; only the speed depends on it.
+  /// @param count  expected number of ellipses; affects only the speed.
   Placement(const Room& room, std::size_t count);
 
   /// True when the ellipse keeps the gap to the walls and to all that are placed. Exact.
@@ -103,7 +103,7 @@ class Placement {
   std::vector<Point> repeats_;
 };
 
-/// The ellipses that keep every gap to those before them, in the order of the list.
+/// The ellipses that keep the gap to all previous ones, in the order of the list.
 [[nodiscard]] std::vector<Ellipse> without_collisions(const std::vector<Ellipse>& ellipses, const Room& room);
 
 }  // namespace specimen

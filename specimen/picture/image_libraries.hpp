@@ -1,5 +1,5 @@
-/// Which libraries read and segment pictures.
-/// Pairs of pixels by the shift between them (OpenCV's Fourier transform).
+/// Versions of the picture libraries; and the autocorrelation of a picture by the Fourier transform of
+/// OpenCV.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace specimen {
 
-/// Names and versions, asked of the libraries that are loaded: {"OpenCV", "4.6.0"}.
+/// Names and versions of the loaded libraries, e.g. {"OpenCV", "4.6.0"}.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> image_libraries();
 
 /// Number of pairs of set pixels of which the second lies (down, right) of the first, without wrapping round.

@@ -34,8 +34,8 @@ Bytes encode_labels(const std::string& path, const LabelledMask& mask) {
   if (ending == ".tif" || ending == ".tiff") return encode_tiff(path, mask.labels, mask.pixel_size);
   if (ending == ".bmp") return encode_bmp(mask.labels, mask.pixel_size);
   if (ending == ".pgm") return encode_pgm(mask.labels);
-  throw Error(path, ending.empty() ? "has no ending" : "has the ending " + ending,
-              "labels are written as .png, .tif, .tiff, .bmp or .pgm", "choose one of these endings",
+  throw Error(path, ending.empty() ? "has no extension" : "has the extension " + ending,
+              "labels are written as .png, .tif, .tiff, .bmp or .pgm", "choose one of these extensions",
               Fault::write);
 }
 
@@ -57,7 +57,7 @@ Picture read_picture(const std::string& path, std::int64_t max_pixels) {
     case PictureFormat::unknown:
       break;
   }
-  throw Error(path, "is no picture that is known here", "PNG, TIFF, BMP, JPEG, PGM and PPM are read",
+  throw Error(path, "is not in a known picture format", "PNG, TIFF, BMP, JPEG, PGM and PPM are read",
               "convert it to PNG");
 }
 

@@ -68,7 +68,7 @@ BmpHeader read_header(const PictureSource& source) {
   const auto rows = static_cast<std::int32_t>(little_endian(&info[8], 4));
   header.bits = static_cast<int>(little_endian(&info[14], 2));
   if (header.bits != 1 && header.bits != 4 && header.bits != 8 && header.bits != 24 && header.bits != 32)
-    throw Error(source.path, "is a BMP of " + std::to_string(header.bits) + " bits a pixel",
+    throw Error(source.path, "is a BMP of " + std::to_string(header.bits) + " bits per pixel",
                 "1, 4, 8, 24 and 32 are read", "save it as PNG");
   check_compression(source, info.data(), info_size, header.bits);
   header.top_down = rows < 0;
@@ -96,7 +96,7 @@ std::vector<Rgb> read_palette(const PictureSource& source, const BmpHeader& head
   return palette;
 }
 
-/// Index of a pixel in a row of 1, 4 or 8 bits a pixel; the leftmost pixel is in the highest bits.
+/// Index of a pixel in a row of 1, 4 or 8 bits per pixel; the leftmost pixel is in the highest bits.
 std::uint8_t index_at(const Bytes& row, int col, int bits) {
   const auto bit = static_cast<std::size_t>(col) * static_cast<std::size_t>(bits);
   const int shift = 8 - bits - static_cast<int>(bit % 8);

@@ -20,8 +20,7 @@ Error bad_picture(const std::string& path, std::string problem, std::string cure
 }
 
 Error several_pictures(const std::string& path, std::string what_it_is) {
-  return {path, std::move(what_it_is), "must hold one picture",
-          "save the one that is meant as a file of its own"};
+  return {path, std::move(what_it_is), "must hold one picture", "save the right one as a separate file"};
 }
 
 PictureSource open_picture(const std::string& path, std::int64_t max_pixels) {
@@ -29,7 +28,7 @@ PictureSource open_picture(const std::string& path, std::int64_t max_pixels) {
   // Looked at before opening: opening a pipe would wait for its other end.
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) throw disk_error(path, "cannot be read", errno);
-  if (!S_ISREG(about.st_mode)) throw bad_picture(path, "is no regular file", "give a picture file");
+  if (!S_ISREG(about.st_mode)) throw bad_picture(path, "is not a regular file", "give a picture file");
   source.file.reset(std::fopen(path.c_str(), "rb"));
   if (source.file == nullptr) throw disk_error(path, "cannot be read", errno);
   source.bytes = about.st_size;
@@ -39,7 +38,7 @@ PictureSource open_picture(const std::string& path, std::int64_t max_pixels) {
 void read_exactly(const PictureSource& source, std::uint8_t* bytes, std::size_t count) {
   if (std::fread(bytes, 1, count, source.file.get()) == count) return;
   if (std::ferror(source.file.get()) != 0) throw disk_error(source.path, "cannot be read", errno);
-  throw bad_picture(source.path, "is cut off: the file ends before its last pixel");
+  throw bad_picture(source.path, "is truncated: the file ends before its last pixel");
 }
 
 }  // namespace specimen

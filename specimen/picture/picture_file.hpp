@@ -1,4 +1,4 @@
-/// Files of pictures: opening and exact reading.
+/// Opening and reading of picture files.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct CloseFile {
   void operator()(std::FILE* file) const { (void)std::fclose(file); }
 };
 
-/// A picture file that is open for reading, and what it may hold.
+/// An open picture file, and its limits.
 struct PictureSource {
   std::string path;
   std::int64_t max_pixels = 0;  ///< larger pictures are refused
@@ -26,17 +26,17 @@ struct PictureSource {
   std::unique_ptr<std::FILE, CloseFile> file;
 };
 
-/// The error for a file whose content is at fault: "path: problem; cure".
+/// The error for a file with invalid content: "path: problem; cure".
 [[nodiscard]] Error bad_picture(const std::string& path, std::string problem, std::string cure = {});
 
 /// The error for a file of several pictures, where nobody can say which one is meant: "path: holds several
 /// pages; ...".
 [[nodiscard]] Error several_pictures(const std::string& path, std::string what_it_is);
 
-/// Open a picture for reading.   @throws Error (Fault::write) with the system's reason.
+/// Open a picture for reading.   @throws Error (Fault::write) with the reason from the system.
 [[nodiscard]] PictureSource open_picture(const std::string& path, std::int64_t max_pixels);
 
-/// Read exactly `count` bytes.   @throws Error when the file ends before.
+/// Read exactly `count` bytes.   @throws Error if the file ends before.
 void read_exactly(const PictureSource& source, std::uint8_t* bytes, std::size_t count);
 
 }  // namespace specimen

@@ -53,7 +53,7 @@ void check_size(const PictureSource& source, std::int64_t rows, std::int64_t col
                 "make the picture smaller, or raise convert.max_pixels");
   if (source.bytes < least_bytes)
     throw bad_picture(source.path,
-                      "is cut off: " + std::to_string(source.bytes) + " bytes cannot hold " + size);
+                      "is truncated: " + std::to_string(source.bytes) + " bytes cannot hold " + size);
 }
 
 double pixel_size_of(double per_metre_x, double per_metre_y) {

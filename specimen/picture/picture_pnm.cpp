@@ -24,7 +24,7 @@ class PnmReader {
         while (c != '\n' && c != EOF) c = next();
       c = next();
     }
-    if (c == EOF) throw bad_picture(source_.path, "is cut off: the file ends before its last pixel");
+    if (c == EOF) throw bad_picture(source_.path, "is truncated: the file ends before its last pixel");
     if (std::isdigit(c) == 0) throw bad_picture(source_.path, "is a damaged PNM: a number was expected");
     std::int64_t value = 0;
     for (; std::isdigit(c) != 0; c = next()) {

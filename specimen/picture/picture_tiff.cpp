@@ -264,9 +264,9 @@ class TiffReader {
     const std::int64_t at = bad - values.data.begin();
     throw bad_picture(source_.path,
                       "holds " + std::to_string(std::count_if(bad, values.data.end(), is_bad)) +
-                          " pixels that are no number (NaN or infinite), the first in row " +
+                          " pixels that are not finite (NaN or infinite), the first in row " +
                           std::to_string(at / values.cols) + ", column " + std::to_string(at % values.cols),
-                      "give them a value of their own, e.g. -1, before");
+                      "replace them by a value, e.g. -1, first");
   }
 
   void read_palette_picture(const TiffTags& tags, Picture& picture) {

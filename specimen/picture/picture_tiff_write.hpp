@@ -1,4 +1,4 @@
-/// libtiff with its messages kept off the terminal and its memory bounded.
+/// libtiff without output on the terminal and with bounded memory.
 #pragma once
 
 #include <tiffio.h>
@@ -8,7 +8,7 @@
 
 namespace specimen {
 
-/// libtiff asks for at most this much at once [bytes], whatever a file claims.
+/// Largest single allocation of libtiff [bytes].
 inline constexpr tmsize_t largest_allocation = tmsize_t{1} << 30;
 
 struct TiffMessages {

@@ -4,8 +4,10 @@
 """
 import base64
 import hashlib
+import html
 import json
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
@@ -14,7 +16,7 @@ VOID = {"meta", "img", "input", "br", "link", "hr"}
 ALLOWED = {"html", "head", "meta", "title", "style", "body", "main", "header", "section", "aside", "h1", "h2", "h3", "p",
            "div", "span", "i", "b", "br", "ul", "li", "table", "thead", "tbody", "tr", "th", "td", "figure",
            "figcaption", "img", "input", "label", "details", "summary", "pre", "blockquote", "svg", "polyline",
-           "circle", "text", "canvas", "button", "select", "option", "output", "script"}
+           "circle", "text", "canvas", "button", "dl", "dt", "dd", "select", "option", "output", "script"}
 
 
 class Page(HTMLParser):
@@ -73,6 +75,16 @@ def check_scripts(text, seen):
     json.loads(text.split('id="data">', 1)[1].split("</script>", 1)[0])
 
 
+def check_glossary(text):
+    """Every term is one of docs/glossary.md, in the same words."""
+    told = re.findall(r"<dt>(.*?)</dt>\n<dd>(.*?)</dd>", text)
+    assert len(told) > 15, told
+    page = pathlib.Path(__file__).resolve().parents[2] / "docs/glossary.md"
+    known = dict(re.findall(r"^\| (.+?) \| (.+?) \|$", page.read_text(encoding="utf-8").replace("`", ""), re.M))
+    for term, meaning in told:
+        assert known.get(html.unescape(term)) == html.unescape(meaning), f"docs/glossary.md says otherwise: {term}"
+
+
 def check_charts(text):
     root = ElementTree.fromstring(text.split("\n", 1)[1])
     charts = list(root.iter("{http://www.w3.org/2000/svg}svg"))
@@ -98,6 +110,7 @@ def main():
     check_elements(page.seen)
     check_ids(page.seen)
     check_charts(text)
+    check_glossary(text)
     check_scripts(text, page.seen)
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     assert summary["title"] in "".join(page.words)

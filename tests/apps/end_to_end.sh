@@ -166,7 +166,7 @@ same flight/scene.toml flight_again/scene.toml
 # How wrong a run may be.
 expect 0 simulate specimen.h5 --estimate-error -o estimated --stop-strain 2.5e-4
 has err "the peak stress may be wrong by"
-has estimated/report.html "How wrong the peak may be"
+has estimated/report.html "Error of the peak"
 python3 -c 'import json; assert len(json.load(open("estimated/summary.json"))["error_estimate"]["sources"]) == 4' ||
   fail "the summary holds no estimate of the error"
 

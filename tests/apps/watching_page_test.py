@@ -128,7 +128,7 @@ def main():
             browser.driver.get(killed.address)
             browser.wait("document.documentElement.dataset.alive === 'yes'")
             killed.process.send_signal(signal.SIGKILL)
-            browser.wait("document.getElementById('watch-words').textContent.includes('does not answer any more')")
+            browser.wait("document.getElementById('watch-words').textContent.includes('no longer answers')")
         finally:
             browser.driver.quit()
             run.process.kill()

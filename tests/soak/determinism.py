@@ -38,8 +38,8 @@ def instruction_sets(mesopix):
             said = process.communicate()[1]
             if process.returncode == 0:
                 continue
-            assert process.returncode == 65 and "this processor runs" in said, said
-            return re.findall(r"\w+", said.split("this processor runs")[1].split("\n")[0])
+            assert process.returncode == 65 and "this processor supports" in said, said
+            return re.findall(r"\w+", said.split("this processor supports")[1].split("\n")[0])
     return every
 
 
@@ -75,7 +75,7 @@ def main():
     given = parser.parse_args()
     far, count = [], 0
     builds = {mesopix: instruction_sets(mesopix) for mesopix in [given.mesopix, *given.other]}
-    print("this processor runs", ", ".join(builds[given.mesopix]), flush=True)
+    print("this processor supports", ", ".join(builds[given.mesopix]), flush=True)
     for name, (scene, options) in scenes_of(given.data, given.full).items():
         if given.only and name not in given.only:
             continue

@@ -92,7 +92,7 @@ class FilmStage {
     this.slider.value = Math.round((this.slider.max * this.strain) / end);
     this.moment.x = this.strain * this.strain_unit.per_strain;
     const failed = this.film.counts(this.strain);
-    this.counts.textContent = `${grouped(failed[tension])} pixels failed in tension, ${grouped(failed[shear])} in shear`;
+    this.counts.textContent = `${grouped(failed[tension])} ${failed[tension] === 1 ? "pixel" : "pixels"} failed in tension, ${grouped(failed[shear])} in shear`;
     this.at.textContent = this.strain_text();
     this.slider.setAttribute("aria-valuetext", this.strain_text());
     this.show();

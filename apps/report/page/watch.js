@@ -27,7 +27,7 @@ class Watch {
       return answer.status === 200 ? await this.take(await answer.json()) : true;
     } catch {
       if (++this.unanswered < 6) return true;
-      this.words.textContent = "The program does not answer any more; this is the last that it told.";
+      this.words.textContent = "The program no longer answers; this is the last state it sent.";
       return false;
     }
   }

@@ -54,7 +54,7 @@ ChangedPoints<Real> changes(const LatticePoints<Real>& points, const LatticePoin
 template <class Real>
 void change(LatticePoints<Real>& points, const ChangedPoints<Real>& changed, ArchiveReader& archive) {
   for (const std::uint64_t at : changed.at)
-    if (at >= points.stiffness.size()) return archive.fail("a point out of the specimen");
+    if (at >= points.stiffness.size()) return archive.fail("a point outside the specimen");
   const auto put = [&](const auto& values, auto& field) {
     if (values.size() != (field.empty() ? 0 : changed.at.size()))
       return archive.fail("points of another kind");

@@ -1,5 +1,5 @@
-/// The material points of the pixels, as the sweeps read them.
-/// Material points beside those of the pixels. They are few, so they are swept one by one.
+/// Material points of the lattice in the layout of the sweeps; and extra points, which are few and computed
+/// one by one.
 #pragma once
 
 #include <cstddef>

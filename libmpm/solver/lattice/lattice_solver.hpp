@@ -26,8 +26,8 @@ class LatticeSolver {
   /// The scene and the plan must outlive the solver.
   LatticeSolver(const Scene& scene, const Plan& plan);
 
-  /// Take up to `steps` time steps (>= 1) on all threads, but none beyond the last of the plan, nor beyond
-  /// one in which something is no number; the ledger is that of the last of them.
+  /// Take up to `steps` time steps (>= 1) on all threads; stops at the last step of the plan, or when a value
+  /// is not a number. Returns the ledger of the last step.
   [[nodiscard]] Ledger advance(std::int64_t steps);
 
   [[nodiscard]] std::int64_t steps() const { return clock_.step; }
@@ -35,25 +35,25 @@ class LatticeSolver {
   /// for.
   [[nodiscard]] bool is_done() const { return clock_.step > plan_.steps; }
 
-  /// Whether small strain ends: a live point is strained, or a node has moved, more than the limits say.
+  /// Whether the limits of the hand-over are exceeded: strain of an intact point, or displacement of a node.
   [[nodiscard]] bool outgrows(const Handover& limits) const;
-  /// What moving points go on from: mass, momentum and stress are kept. The failure maps are moved out.
+  /// Hand-over to moving points; conserves mass, momentum and stress. Moves the failure maps out.
   [[nodiscard]] MovingStart hand_over();
 
-  /// The points as they are at the time of the last ledger; all of the frame but its row of the history.
+  /// Frame at the time of the last ledger, without its row of the history.
   void fill(Frame& frame) const;
 
   /// Failure maps so far.
   void copy_maps(Result& result) const;
 
-  /// All that the next steps depend on, whatever the number of threads; for a solver that has taken a step.
+  /// The complete state, independent of the number of threads.   @pre at least one step was taken.
   void save(ArchiveWriter& archive) const;
-  /// The same into a solver that has taken none, of the same scene but for its threads. A state that cannot
-  /// be is noted in the archive; the solver is then of no use.
+  /// Restore the state of the same scene (threads may differ).   @pre no step was taken. An invalid state is
+  /// recorded as a fault of the archive; the solver must not be used then.
   void restore(ArchiveReader& archive);
 
   [[nodiscard]] double dt() const { return plan_.dt; }  ///< [s]
-  /// The point where numbers ceased to be numbers, else the one with the most elastic energy, by name.
+  /// Name of the point where a value became not-a-number, otherwise of the one with the most elastic energy.
   [[nodiscard]] std::string worst_point() const;
 
  private:

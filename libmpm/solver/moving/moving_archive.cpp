@@ -91,7 +91,7 @@ void check_points(const MovingPoints<Real>& points, const Scene& scene, ArchiveR
     points.for_each(row, [&](const auto& slot) {
       const std::uint32_t id = points.id(slot);
       if (id >= seen.size() || seen[id] || !is_solid(id))
-        return archive.fail("a point that the scene has not");
+        return archive.fail("a point that is not in the scene");
       seen[id] = true;
     });
 }

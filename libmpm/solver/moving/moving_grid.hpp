@@ -1,5 +1,5 @@
-/// The background grid of moving points: tiles and nodes, and where they lie.
-/// What holds the edges of the grid: platens, walls, planes of symmetry.
+/// The background grid of moving points: tiles, nodes, and supports at its edges (platens, walls, planes of
+/// symmetry).
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ template <class Real>
 struct MovingGrid {
   std::ptrdiff_t stride = 0;
   AlignedVector<Real> mass;                ///< [kg/m]
-  AlignedVector<Real> vx, vy;              ///< velocity that the points brought [m/s]
+  AlignedVector<Real> vx, vy;              ///< velocity mapped from the points [m/s]
   AlignedVector<Real> fresh_x, fresh_y;    ///< velocity at the end of the step [m/s]
   AlignedVector<Real> change_x, change_y;  ///< its change in the step [m/s]
   AlignedVector<Real> strain_x, strain_y;  ///< velocity that strains the points [m/s]
@@ -79,9 +79,9 @@ class TileSums {
 };
 
 struct Support {
-  bool active = false;     ///< something stands there
-  bool separates = false;  ///< the specimen may part from it
-  bool rough = false;      ///< what touches it does not slide
+  bool active = false;     ///< there is a support
+  bool separates = false;  ///< the specimen may separate from it
+  bool rough = false;      ///< no sliding
   double velocity = 0;     ///< of its own in this step, in the direction of x or y [m/s]
   double before = 0;       ///< in the step before [m/s]
 
@@ -90,14 +90,13 @@ struct Support {
   struct Held {
     double velocity = 0, before = 0;
   };
-  /// What the support does to a node across it, nothing when the node parts from it or the support is not
-  /// there.
+  /// Velocity of a node normal to the support; nothing if the node separates or there is no support.
   ///
-  /// A node that stays at its support had the support's velocity, not the mean of the points beside it, which
-  /// do not all move as it does: FLIP would else take from them, step by step, what sets them apart. So a
-  /// plane of symmetry stands for the other half of a body. A node that a support with separation catches
-  /// comes with what its points brought.
-  /// @param brought  velocity of the points [m/s].   @param change  what the forces of the step add to it
+  /// For a node that stays at a support, the old velocity is that of the support, not the mean of the points
+  /// beside it; otherwise FLIP would remove the velocity differences of these points step by step. So a plane
+  /// of symmetry replaces the other half of a body. A node that comes into contact has the velocity mapped
+  /// from its points.
+  /// @param brought  velocity mapped from the points [m/s].   @param change  change by the forces of the step
   /// [m/s].
   /// @param outward  +1 at the right and upper edge, else -1.   @param touched  in the step before.
   [[nodiscard]] std::optional<Held> caught(double brought, double change, int outward, bool touched) const {

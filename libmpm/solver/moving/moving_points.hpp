@@ -1,4 +1,4 @@
-/// Moving points, sorted by tile, as the sweeps read them.
+/// Moving points, sorted by tile, in the layout of the sweeps.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ namespace {
 template <class Loose>
 std::string what_went_wrong(const Loose& point) {
   const bool is_number = std::isfinite(point.values[moving::xi]) && std::isfinite(point.values[moving::eta]);
-  return is_number ? "a point moves further than a cell in a step, " : "a place is not a number, that of ";
+  return is_number ? "a point moves more than a cell in a step, " : "a position is not a number, that of ";
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void MovingSolver<Real>::resort() {
           !step_over(point.tile.row, point.values[moving::eta])) {
         point.tile = from;
         stop(what_went_wrong(point) + name_of_point(scene_, point.id) +
-             "; the time step is too long for it, try a smaller solver.cfl");
+             "; the time step is too long: try a smaller solver.cfl");
         continue;
       }
       if (is_inside(point) || stays_at_support(point))

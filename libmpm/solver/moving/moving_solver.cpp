@@ -114,7 +114,7 @@ void MovingSolver<Real>::end_step() {
   clock_.time += clock_.dt;
   ++clock_.step;
   if (!(clock_.dt > 1e-6 * first_dt_))
-    stop("the time step has collapsed, the fastest is " + worst_point() + "; try a smaller solver.cfl");
+    stop("the time step has collapsed; the fastest point is " + worst_point() + "; try a smaller solver.cfl");
   clock_.stopped = is_done();
 }
 

@@ -1,5 +1,5 @@
-/// Moving points: the explicit material point method in full. Points travel through the grid and carry mass,
-/// velocity and stress; the grid is made anew in each step.
+/// Moving points: the full explicit material point method. Points move through the grid and carry mass,
+/// velocity and stress; the grid is reset in each step.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace mpm {
 
-/// A point as it is now, for those who look on.
+/// State of a point, for observers.
 struct PointView {
   std::uint32_t id = 0;                  ///< as StartPoint::id
   double x = 0, y = 0;                   ///< in the picture [m]
@@ -36,9 +36,8 @@ class MovingSolver {
   /// The scene and the plan must outlive the solver.
   MovingSolver(const Scene& scene, const Plan& plan, MovingStart start);
 
-  /// Take up to `steps` time steps (>= 1) on all threads; the ledger is that of the last of them. Ends early
-  /// when the platens have come to the strain, or the time to the duration, at which the run ends, and when
-  /// something goes wrong.
+  /// Take up to `steps` time steps (>= 1) on all threads. Stops early at the final strain or duration, or on
+  /// a fault. Returns the ledger of the last step.
   [[nodiscard]] Ledger advance(std::int64_t steps);
 
   [[nodiscard]] std::int64_t steps() const { return clock_.step; }
@@ -46,22 +45,22 @@ class MovingSolver {
   [[nodiscard]] double dt() const { return clock_.dt; }      ///< of the last step [s]
   [[nodiscard]] bool is_done() const;
 
-  /// The points as they are after the last step; all of the frame but its row of the history.
+  /// Frame after the last step, without its row of the history.
   void fill(Frame& frame) const;
 
-  /// Failure maps so far, and where the points are.
+  /// Failure maps so far, and the positions of the points.
   void copy_maps(Result& result) const;
 
-  /// All that the next steps depend on, whatever the number of threads; for a solver that has taken a step.
+  /// The complete state, independent of the number of threads.   @pre at least one step was taken.
   void save(ArchiveWriter& archive) const;
-  /// The same into a solver that starts without points, of the same scene but for its threads, and of the
-  /// same instruction set. A state that cannot be is noted in the archive; the solver is then of no use.
+  /// Restore the state of the same scene (threads may differ) and instruction set.   @pre the solver has no
+  /// points. An invalid state is recorded as a fault of the archive; the solver must not be used then.
   void restore(ArchiveReader& archive);
 
-  /// The point with the most kinetic and elastic energy for its mass, by name.
+  /// Name of the point with the most kinetic and elastic energy per mass.
   [[nodiscard]] std::string worst_point() const;
 
-  /// All points, in an order of the solver's own.
+  /// All points, in the internal order of the solver.
   [[nodiscard]] std::vector<PointView> points() const;
   /// Change the velocity of every point: by a body force, or to start from.
   using Kick = std::function<void(const PointView& point, double& vx, double& vy)>;
@@ -95,7 +94,7 @@ class MovingSolver {
     double dt = 0;            ///< [s]
     double displacement = 0;  ///< of the top platen at the beginning of the step, upwards positive [m]
     double velocity = 0;      ///< of the top platen in the step [m/s]
-    bool stopped = false;     ///< nothing is to be done any more
+    bool stopped = false;     ///< the run has ended
   };
 
   [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, int threads,
@@ -192,7 +191,7 @@ class MovingSolver {
   double reported_time_ = 0;
   std::int64_t left_ = 0;
   double left_energy_ = 0;
-  std::string failure_;  ///< what went wrong
+  std::string failure_;  ///< fault; empty = none
   FailureMaps maps_;
 };
 

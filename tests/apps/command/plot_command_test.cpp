@@ -121,7 +121,7 @@ TEST_F(PlotCommand, RefusesWhatItCannotDraw) {
   EXPECT_THAT(refusal({"nowhere"}, Exit::io), HasSubstr("nowhere"));
   test::write_text("run/frames/p_000000.hdf", "no frame");
   EXPECT_THAT(refusal({"run", "--what", "stress"}, Exit::io),
-              HasSubstr("frames/p_000000.hdf: is no HDF5 file, or is cut short or damaged"));
+              HasSubstr("frames/p_000000.hdf: is not an HDF5 file, or is cut short or damaged"));
   fs::remove_all("run/frames");
   EXPECT_THAT(refusal({"run", "--what", "stress"}, Exit::data),
               HasSubstr("RUN: run; has no frames, which hold the stress; run it again with --frames 40"));

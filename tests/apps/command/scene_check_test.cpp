@@ -77,7 +77,7 @@ TEST_F(SceneCheck, TellsWhatPackingAndSolverWouldRefuse) {
       ElementsAre(StartsWith("a.toml:2:9: generate.width: 20.3 mm; must be a whole number of pixels"),
                   StartsWith("a.toml:3:10: generate.height: 10.3 mm; must be a whole number of pixels"),
                   StartsWith("a.toml:4:14: generate.aspect_min: 0.01; must be between 0.02 and 1"),
-                  "a.toml:6:19: phases.itz.fracture_energy: 60 J/m2; is for a phase with a tensile_scale"));
+                  "a.toml:6:19: phases.itz.fracture_energy: 60 J/m2; needs a tensile_scale"));
 }
 
 TEST_F(SceneCheck, TellsWhatOnlyTheSpecimenAndThePlanShow) {

@@ -48,14 +48,14 @@ TEST_F(SimulateCommand, EstimatesTheErrorOfItsPeak) {
   }
   EXPECT_DOUBLE_EQ(estimate["peak_stress_error"].get<double>(), sum);
   const std::string page = test::read_text("run/report.html");
-  EXPECT_THAT(page, HasSubstr("<h2>How wrong the peak may be</h2>"));
+  EXPECT_THAT(page, HasSubstr("<h2>Error of the peak</h2>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">pixel size</th><td>2 mm</td>"));
 }
 
 TEST_F(SimulateCommand, LeavesTheEstimateOutWhereNoneWasAskedFor) {
   ASSERT_EQ(run({"scene.toml", "-o", "run"}), Exit::ok) << err_.str();
   EXPECT_FALSE(json::parse(test::read_text("run/summary.json")).contains("error_estimate"));
-  EXPECT_THAT(test::read_text("run/report.html"), Not(HasSubstr("How wrong")));
+  EXPECT_THAT(test::read_text("run/report.html"), Not(HasSubstr("Error of the peak")));
 }
 
 TEST_F(SimulateCommand, ChoosesWhatAToleranceAsksForAndWritesItDown) {

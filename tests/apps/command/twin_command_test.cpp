@@ -115,7 +115,7 @@ TEST_F(TwinCommand, RefusesAnOriginalWithoutAggregates) {
   ASSERT_EQ(call({"generate", "--fraction", "0", "-o", "mortar.h5", "-q"}), Exit::ok);
   expect_refusal(
       {"mortar.h5"}, Exit::data,
-      "original: no aggregate; twins need aggregates to be like; look at how the phases are told apart");
+      "original: no aggregate; twins need aggregates to match; check how the phases are separated");
   specimen::write_specimen("foreign.h5", test::small_specimen());
   expect_refusal(
       {"foreign.h5"}, Exit::data,

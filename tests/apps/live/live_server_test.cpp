@@ -106,9 +106,8 @@ TEST_F(Server, SaysWhenThePortIsTaken) {
     FAIL() << "two servers on one port";
   } catch (const app::Rejected& rejected) {
     EXPECT_EQ(rejected.code, app::Exit::io);
-    EXPECT_EQ(std::string(rejected.what()),
-              "--port: " + std::to_string(port()) +
-                  "; is in use, or not ours to use; leave it out: any port that is free is taken");
+    EXPECT_EQ(std::string(rejected.what()), "--port: " + std::to_string(port()) +
+                                                "; is in use or not permitted; omit it to use any free port");
   }
 }
 

@@ -21,13 +21,13 @@ TEST(Comparison, ShowsFiguresWithTheirDistanceFromTheFirst) {
   const std::string page = comparison_html(two_runs(), {});
   EXPECT_THAT(page, HasSubstr("Peak stress [MPa]</th><td>3.43</td><td>4.29 (+25.0\u00A0%)</td>"));
   EXPECT_THAT(page, HasSubstr("(same)"));
-  EXPECT_THAT(page, HasSubstr("The scenes are the same."));
+  EXPECT_THAT(page, HasSubstr("The scenes are identical."));
 }
 
 TEST(Comparison, ShowsSettingsThatDiffer) {
   const std::string page = comparison_html(two_runs(), {{"damage.seed", {"1", ""}}});
   EXPECT_THAT(page, HasSubstr("damage.seed</th><td>1</td><td>–</td>"));
-  EXPECT_THAT(page, Not(HasSubstr("The scenes are the same.")));
+  EXPECT_THAT(page, Not(HasSubstr("The scenes are identical.")));
 }
 
 TEST(Comparison, EscapesNamesAndSettings) {

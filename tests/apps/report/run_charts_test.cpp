@@ -59,7 +59,7 @@ TEST(StressChart, IsInPercentWhereStrainsAreLargeAndNominalWithoutPlatens) {
 TEST(EnergyChart, BeginsWithTheEnergyOfTheFlight) {
   const FakeRun run = impact_run(30);
   const Chart chart = energy_chart(run.record());
-  EXPECT_EQ(chart.series[0].name, "at the start");
+  EXPECT_EQ(chart.series[0].name, "initial energy");
   EXPECT_DOUBLE_EQ(chart.series[0].y.back(), run.result.history.front().kinetic);
   EXPECT_EQ(chart.series.back().name, "left");
 }

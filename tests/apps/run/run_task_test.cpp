@@ -161,7 +161,7 @@ TEST_F(Resumption, TakesTheOneBeforeADamagedOne) {
     if ("run/checkpoints/" + name != first) second = "run/checkpoints/" + name;
   test::write_text(second, test::read_text(second).substr(0, 5000));
   ASSERT_EQ(simulate({"--resume", "run"}), Exit::ok) << said();
-  EXPECT_THAT(said(), HasSubstr("warning: " + second + ": is damaged: its digest is not that of its bytes"));
+  EXPECT_THAT(said(), HasSubstr("warning: " + second + ": is damaged: its digest does not match its bytes"));
   EXPECT_THAT(said(), HasSubstr(", from " + first));
   ASSERT_EQ(simulate({"scene.toml", "-o", "whole"}), Exit::ok) << said();
   EXPECT_EQ(test::read_text("run/curve.csv"), test::read_text("whole/curve.csv"));

@@ -34,4 +34,11 @@ TEST(Listed, ReadsAsASentence) {
   EXPECT_EQ(app::listed({"a", "b", "c"}, "and"), "a, b and c");
 }
 
+TEST(Counted, HasThePluralForAllButOne) {
+  EXPECT_EQ(app::counted(0, "aggregate"), "0 aggregates");
+  EXPECT_EQ(app::counted(1, "aggregate"), "1 aggregate");
+  EXPECT_EQ(app::counted(151, "aggregate"), "151 aggregates");
+  EXPECT_EQ(app::counted(2, "class"), "2 classes");
+}
+
 }  // namespace words_test

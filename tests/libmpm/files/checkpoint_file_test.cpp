@@ -77,7 +77,7 @@ TEST_F(CheckpointFile, KnowsEveryByteThatChanged) {
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ 0x20);
     test::write_text(path_, bad);
-    EXPECT_THAT(complaint(), i < 8 ? StartsWith("is no checkpoint") : StartsWith("is damaged: its digest"))
+    EXPECT_THAT(complaint(), i < 8 ? StartsWith("is not a checkpoint") : StartsWith("is damaged: its digest"))
         << i;
   }
 }
@@ -87,7 +87,7 @@ TEST_F(CheckpointFile, KnowsWhereItIsCutShortOrGoesOn) {
   const std::string good = test::read_text(path_);
   for (std::size_t length = 0; length < good.size(); length += 7) {
     test::write_text(path_, good.substr(0, length));
-    EXPECT_THAT(complaint(), length < 40 ? StartsWith("is no checkpoint") : StartsWith("is damaged"))
+    EXPECT_THAT(complaint(), length < 40 ? StartsWith("is not a checkpoint") : StartsWith("is damaged"))
         << length;
   }
   test::write_text(path_, good + "x");
@@ -103,7 +103,7 @@ TEST_F(CheckpointFile, SaysWhatCannotBeRead) {
 TEST_F(CheckpointFile, AsksForNoMemoryForWhatIsNone) {
   test::write_text(path_, "anything");
   std::filesystem::resize_file(path_, std::uintmax_t{1} << 42U);
-  EXPECT_THAT(complaint(), StartsWith("is no checkpoint"));
+  EXPECT_THAT(complaint(), StartsWith("is not a checkpoint"));
 }
 
 /// The bytes with a digest that is right.
@@ -117,7 +117,7 @@ TEST_F(CheckpointFile, IsOfThisVersion) {
   std::string other = test::read_text(path_);
   other[8] = 2;
   test::write_text(path_, sealed(other));
-  EXPECT_EQ(complaint(), "is of version 2; must be of version 1; go on with the program that wrote it");
+  EXPECT_EQ(complaint(), "is of version 2; must be of version 1; resume with the program that wrote it");
 }
 
 // Whoever changes a checkpoint can make its digest right again.

@@ -32,9 +32,9 @@ TEST_F(FrameFileRead, RefusesWhatIsNoFrame) {
                              ": there is no such file; must be a frame that mesopix wrote; "
                              "run the simulation again");
   std::ofstream(path_) << "strain,stress\n";
-  EXPECT_THAT(complaint(), HasSubstr("is no HDF5 file, or is cut short or damaged"));
+  EXPECT_THAT(complaint(), HasSubstr("is not an HDF5 file, or is cut short or damaged"));
   H5Fclose(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-  EXPECT_THAT(complaint(), HasSubstr("is no frame of mesopix"));
+  EXPECT_THAT(complaint(), HasSubstr("is not a mesopix frame"));
   mpm::write_frame(path_, odd_frame(), scene_);
   fs::resize_file(path_, fs::file_size(path_) / 2);
   EXPECT_THAT(complaint(), HasSubstr("cut short"));
@@ -89,14 +89,14 @@ TEST_F(FrameFileRead, RefusesWrongTypesAndShapes) {
                 H5Ldelete(f, "VTKHDF/PointData/id", H5P_DEFAULT);
                 H5Gclose(H5Gcreate2(f, "VTKHDF/PointData/id", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
               }),
-              HasSubstr("dataset id is no dataset"));
+              HasSubstr("dataset id is not a dataset"));
 }
 
 TEST_F(FrameFileRead, RefusesNumbersThatMeanNothing) {
   EXPECT_THAT(with_zeros("VTKHDF/PointData/id", H5T_STD_I32LE, {2}),
-              HasSubstr("dataset id holds numbers that do not rise from 0"));
+              HasSubstr("dataset id holds numbers that do not increase from 0"));
   EXPECT_THAT(with_zeros("VTKHDF/NumberOfPoints", H5T_STD_I64LE, {1}),
-              HasSubstr("dataset NumberOfPoints says another number than there are in id"));
+              HasSubstr("dataset NumberOfPoints differs from the number of values in id"));
   const auto holds = [&](const char* name, hid_t type, std::vector<hsize_t> extent, const void* values) {
     return verdict([&](hid_t f) { create(f, name, type, extent, H5P_DEFAULT, values); });
   };
@@ -109,7 +109,7 @@ TEST_F(FrameFileRead, RefusesNumbersThatMeanNothing) {
   }
   const double none = std::nan("");
   EXPECT_THAT(holds("VTKHDF/FieldData/strain", H5T_IEEE_F64LE, {1}, &none),
-              HasSubstr("dataset strain holds no number"));
+              HasSubstr("dataset strain is not a number"));
 }
 
 }  // namespace frame_file_read_test

@@ -84,7 +84,7 @@ TEST_F(Hdf5Read, FollowsNoLinks) {
                   H5Ldelete(f, name.c_str(), H5P_DEFAULT);
                   H5Lcreate_external("other.hdf", name.c_str(), f, name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
                 }),
-                HasSubstr(" is a link, and no part of the file itself"))
+                HasSubstr(" is a link, not part of the file itself"))
         << name;
 }
 
@@ -122,7 +122,7 @@ TEST_F(Hdf5Read, RunsNoFilterButThoseOfResults) {
       create(f, "VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, options.id, zeros.data());
     });
   };
-  const char* const none_of_ours = ", which is none of gzip, shuffle and fletcher32";
+  const char* const none_of_ours = ", which is not gzip, shuffle or fletcher32";
   EXPECT_THAT(packed([](hid_t options) {
                 H5Pset_filter(options, test::ForeignFilter::id, H5Z_FLAG_MANDATORY, 0, nullptr);
               }),

@@ -21,7 +21,7 @@ TEST_F(ResultFileRead, RefusesAFileThatIsNotThere) {
 
 TEST_F(ResultFileRead, RefusesOtherBytes) {
   std::ofstream(path_) << "strain,stress\n";
-  EXPECT_THAT(complaint(), HasSubstr("is no HDF5 file, or is cut short or damaged"));
+  EXPECT_THAT(complaint(), HasSubstr("is not an HDF5 file, or is cut short or damaged"));
 }
 
 TEST_F(ResultFileRead, RefusesAFileThatIsCutShort) {
@@ -37,7 +37,7 @@ TEST_F(ResultFileRead, RefusesAFileThatIsCutShort) {
 TEST_F(ResultFileRead, RefusesAnHdf5FileOfAnotherKind) {
   const hid_t file = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(file);
-  EXPECT_THAT(complaint(), HasSubstr("is no result of mesopix"));
+  EXPECT_THAT(complaint(), HasSubstr("is not a mesopix result"));
 }
 
 TEST_F(ResultFileRead, RefusesALaterFormat) {
@@ -133,7 +133,7 @@ TEST_F(ResultFileRead, FollowsNoLinks) {
       H5Lmove(file, name, file, "elsewhere", H5P_DEFAULT, H5P_DEFAULT);
       H5Lcreate_soft("/elsewhere", file, name, H5P_DEFAULT, H5P_DEFAULT);
     });
-    EXPECT_THAT(complaint(), HasSubstr(std::string(name) + " is a link, and no part of the file itself"));
+    EXPECT_THAT(complaint(), HasSubstr(std::string(name) + " is a link, not part of the file itself"));
   }
 }
 

@@ -19,7 +19,8 @@ TEST(InstructionSet, CanBeChosenAndNamesWhatThereIs) {
     (void)mpm::chosen_kernels("avx1024");
     FAIL();
   } catch (const mpm::Error& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("solver.instruction_set: avx1024; this processor runs "));
+    EXPECT_THAT(error.what(),
+                testing::StartsWith("solver.instruction_set: avx1024; this processor supports "));
     EXPECT_THAT(error.what(), testing::HasSubstr("baseline"));
   }
 }

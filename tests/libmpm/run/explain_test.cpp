@@ -60,7 +60,7 @@ TEST(Explain, WhatIsLeftOutSavesWhatTheOtherRunHas) {
     const mpm::Explanation less = mpm::explain(without);
     double difference = 0;
     for (const char* name :
-         {"tension test and its threshold", "shear test and its threshold", "maps of failure"}) {
+         {"tension test and its threshold", "shear test and its threshold", "failure maps"}) {
       EXPECT_TRUE(feature(more, name).in) << name;
       EXPECT_FALSE(feature(less, name).in) << name;
       EXPECT_EQ(feature(more, name).bytes, feature(less, name).bytes) << name;
@@ -91,10 +91,10 @@ TEST(Explain, CountsTheFrameThatARunKeeps) {
     const mpm::Explanation less = mpm::explain(scene);
     scene.frames = 7;
     const mpm::Explanation more = mpm::explain(scene);
-    const char* name = "frames of the points for a viewer";
+    const char* name = "frames for ParaView";
     EXPECT_FALSE(feature(less, name).in);
     EXPECT_TRUE(feature(more, name).in);
-    EXPECT_EQ(feature(more, name).why, "output.frames is 7; one at a time is kept");
+    EXPECT_EQ(feature(more, name).why, "output.frames is 7; one at a time is in memory");
     EXPECT_EQ(more.bytes - less.bytes, sizeof(mpm::FramePoint));
     EXPECT_EQ(feature(less, name).bytes, sizeof(mpm::FramePoint));
   }
@@ -118,7 +118,7 @@ TEST(Explain, TimesTheFirstStepsOfARunThatIsShorterThanTheStretches) {
 // blurs.
 TEST(Explain, MeasuresThatMovingPointsCostMoreThanTheLattice) {
   const mpm::Explanation explanation = mpm::explain(samples::small_concrete(60, 60));
-  const mpm::Feature& motion = feature(explanation, "points that move");
+  const mpm::Feature& motion = feature(explanation, "moving points");
   EXPECT_FALSE(motion.in);
   ASSERT_TRUE(motion.time.has_value());
   EXPECT_GT(*motion.time, explanation.time);

@@ -36,14 +36,14 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
   EXPECT_EQ(message_after([](Scene& s) { s.labels(0, 0) = 9; }),
             "specimen.labels: 9; every label needs a phase");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.velocity = -0.05; }),
-            "loading.velocity: -0.05 m/s; must be > 0; the direction is told by loading.direction");
+            "loading.velocity: -0.05 m/s; must be > 0; loading.direction sets the direction");
   EXPECT_EQ(message_after([](Scene& s) { s.cfl = 1.05; }), "solver.cfl: 1.05; must lie in (0, 1]");
   EXPECT_EQ(message_after([](Scene& s) { s.points_per_cell = 5; }),
             "solver.points_per_cell: 5; must be 1, 2, 3 or 4");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.stop_drop = 1.5; }),
             "loading.stop_drop: 1.5; must lie in (0, 1)");
   EXPECT_EQ(message_after([](Scene& s) { s.threads = -1; }),
-            "solver.threads: -1; must lie in 1 ... 1024, or 0 for as many as have work and a core");
+            "solver.threads: -1; must lie in [1, 1024], or 0 for a number chosen automatically");
   EXPECT_EQ(message_after([](Scene& s) {
               s.extra_points.push_back({1, 0, 3});
             }),
@@ -127,22 +127,22 @@ TEST(Validate, AcceptsASpecimenInFlightAndAtWalls) {
 }
 
 TEST(Validate, AsksWithoutPlatensForMovingPointsAndADuration) {
-  EXPECT_EQ(
-      message_in_flight([](Scene& s) { s.kinematics = mpm::Kinematics::automatic; }),
-      "loading.direction: none; a specimen flies by moving points only; choose solver.kinematics moving");
+  EXPECT_EQ(message_in_flight([](Scene& s) { s.kinematics = mpm::Kinematics::automatic; }),
+            "loading.direction: none; free flight needs moving points; choose solver.kinematics moving");
   EXPECT_EQ(message_in_flight([](Scene& s) { s.loading.duration = 0; }),
-            "loading.duration: 0 s; must be > 0; without platens it says when the run ends");
-  EXPECT_EQ(message_in_flight([](Scene& s) { s.loading.separation = true; }),
-            "loading.separation: true; there are no platens to part from; choose a wall in motion.bottom or "
-            "motion.top");
+            "loading.duration: 0 s; must be > 0; without platens it sets the end of the run");
+  EXPECT_EQ(
+      message_in_flight([](Scene& s) { s.loading.separation = true; }),
+      "loading.separation: true; there are no platens to separate from; choose a wall in motion.bottom or "
+      "motion.top");
 }
 
 TEST(Validate, RefusesWhatPlatensWouldIgnore) {
   EXPECT_EQ(message_after([](Scene& s) { s.loading.initial_velocity_y = -3; }),
-            "loading.initial_velocity_y: -3 m/s; between platens the specimen begins at rest; choose "
+            "loading.initial_velocity_y: -3 m/s; with platens the specimen starts at rest; choose "
             "loading.direction none");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.duration = 1; }),
-            "loading.duration: 1 s; between platens a run ends at loading.stop_strain; choose "
+            "loading.duration: 1 s; with platens a run ends at loading.stop_strain; choose "
             "loading.direction none");
   EXPECT_EQ(message_after([](Scene& s) {
               s.kinematics = mpm::Kinematics::moving;
@@ -210,8 +210,8 @@ TEST(Validate, RefusesNotANumber) {
   EXPECT_NE(message_after([](Scene& s) { s.motion.flip_ratio = nan; }), "valid");
   EXPECT_NE(message_after([](Scene& s) { s.motion.margin = nan; }), "valid");
   EXPECT_EQ(message_after([](Scene& s) { s.damage.correlation_length = 1e-300; }),
-            "damage.correlation_length: 1e-300 m; must be more than a billionth of the specimen; leave it "
-            "out for points that are drawn on their own");
+            "damage.correlation_length: 1e-300 m; must be more than a billionth of the specimen; omit it "
+            "for independent points");
   EXPECT_NE(message_after([](Scene& s) { s.handover.strain = nan; }), "valid");
   EXPECT_NE(message_after([](Scene& s) { s.handover.displacement = nan; }), "valid");
   EXPECT_NE(message_after([](Scene& s) { s.loading.initial_velocity_x = nan; }), "valid");

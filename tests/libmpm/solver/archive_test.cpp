@@ -84,7 +84,7 @@ TEST(Archive, NotesWhatIsBehindItsEnd) {
   pass(reader, state);
   EXPECT_TRUE(reader.ok());
   reader.finish();
-  EXPECT_EQ(reader.fault(), "bytes behind its end");
+  EXPECT_EQ(reader.fault(), "bytes after its end");
 }
 
 TEST(Archive, NotesNumbersThatCannotBe) {
@@ -98,17 +98,17 @@ TEST(Archive, NotesNumbersThatCannotBe) {
   State state = sample;
   for (const std::int64_t step : {std::int64_t{-1}, std::int64_t{101}, INT64_MIN, INT64_MAX}) {
     state.step = step;
-    EXPECT_EQ(fault_of(state), "a number out of its range") << step;
+    EXPECT_EQ(fault_of(state), "a number out of range") << step;
   }
   state = sample;
   state.column = 10;
-  EXPECT_EQ(fault_of(state), "a number out of its range");
+  EXPECT_EQ(fault_of(state), "a number out of range");
   state = sample;
   state.time = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(fault_of(state), "a number that is none");
+  EXPECT_EQ(fault_of(state), "a value that is not a number");
   state = sample;
   state.speed = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(fault_of(state), "a number that is none");
+  EXPECT_EQ(fault_of(state), "a value that is not a number");
 }
 
 // Else a damaged length would ask for all the memory there is.

@@ -227,7 +227,7 @@ std::string complaint(const Scene& scene, const Checkpoint& checkpoint) {
 TEST(Checkpoint, GoesOnWithItsOwnSceneOnly) {
   const Scene scene = samples::kinds::with_extra_points(samples::kinds::pulled_concrete());
   const Checkpoint checkpoint = *go(scene, 1, 10).checkpoint;
-  const std::string cure = "; go on with the scene that the run began with";
+  const std::string cure = "; resume with the scene that the run was started with";
   const auto expect = [&](const std::string& what, const auto& change) {
     Scene other = scene;
     change(other);
@@ -244,7 +244,7 @@ TEST(Checkpoint, GoesOnWithItsOwnSceneOnly) {
            [](Scene& it) { it.instruction_set = "baseline"; });
   Checkpoint foreign = checkpoint;
   foreign.instruction_set = "avx1024";
-  EXPECT_THAT(complaint(scene, foreign), testing::HasSubstr("needs a processor that runs avx1024; "));
+  EXPECT_THAT(complaint(scene, foreign), testing::HasSubstr("needs a processor that supports avx1024; "));
 }
 
 // Whoever changes a checkpoint can make its digest right again: then nothing but an error may come of it.
@@ -258,7 +258,7 @@ TEST(Checkpoint, RefusesAStateThatCannotBe) {
     }
     Checkpoint longer = good;
     longer.state += '\0';
-    EXPECT_THAT(complaint(kind.scene, longer), testing::HasSubstr("holds bytes behind its end"));
+    EXPECT_THAT(complaint(kind.scene, longer), testing::HasSubstr("holds bytes after its end"));
     Checkpoint empty = good;
     empty.moving = !good.moving;
     EXPECT_NE(complaint(kind.scene, empty), "nothing") << kind.name;

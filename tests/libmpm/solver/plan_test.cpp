@@ -40,9 +40,9 @@ TEST(Plan, RefusesAGridThatNoMemoryHolds) {
     return "planned";
   };
   EXPECT_EQ(message(19'999), "planned");
-  EXPECT_EQ(
-      message(21'000),
-      "motion.margin: 21000 m; makes a grid of 2.1e+08 cells, 200 million are allowed; make it smaller");
+  EXPECT_EQ(message(21'000),
+            "motion.margin: 21000 m; makes a grid of 2.1e+08 cells; at most 200 million are allowed; make it "
+            "smaller");
   EXPECT_THAT(message(1e300), testing::HasSubstr("motion.margin: 1e+300 m"));  // no number of 32 bits
 }
 

@@ -54,7 +54,7 @@ TEST(Mask, LabelOfRefusesAnEmptyNameAndA257thPhase) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),
-                 "phase: one more; at most 256 phases can be told apart; give several phases one name");
+                 "phase: one more; at most 256 phases are allowed; give several phases the same name");
   }
   EXPECT_EQ(label_of(phases, "phase 255"), 255);
 }

@@ -113,6 +113,7 @@ TEST(Notes, FiguresReadWell) {
   EXPECT_EQ(specimen::grouped(-123456), "-123,456");
   EXPECT_EQ(specimen::counted(1, "island"), "1 island");
   EXPECT_EQ(specimen::counted(1234, "island"), "1,234 islands");
+  EXPECT_EQ(specimen::counted(3, "class"), "3 classes");
   EXPECT_EQ(specimen::share_text(32, 1000), "3.2 %");
   EXPECT_EQ(specimen::share_text(4, 100000), "0.004 %");
   EXPECT_EQ(specimen::share_text(0, 10), "0 %");

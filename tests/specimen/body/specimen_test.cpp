@@ -112,13 +112,13 @@ TEST(Validate, ChecksThePhaseNames) {
   EXPECT_EQ(verdict([](Specimen& s) { s.mask.phases[4] = ""; }),
             "phases: an empty name; every phase needs a name");
   EXPECT_EQ(verdict([](Specimen& s) { s.mask.phases[4] = "itz"; }),
-            "phases: 'itz' twice; every phase needs a name of its own");
+            "phases: 'itz' twice; every phase needs a unique name");
 }
 
 TEST(Validate, ChecksTheInclusions) {
   EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[1].id = 0; }), "inclusions[1].id: 0; must be >= 1");
   EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[1].id = 7; }),
-            "inclusions[1].id: 7 was used before; must be an id of its own");
+            "inclusions[1].id: 7 was used before; must be a unique id");
   EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[0].ellipse.x = nan; }),
             "inclusions[0].x: nan; must be a finite number");
   EXPECT_EQ(verdict([](Specimen& s) { s.inclusions[0].ellipse.b = 0; }),
@@ -136,7 +136,7 @@ TEST(Validate, ChecksTheRings) {
   EXPECT_EQ(verdict([](Specimen& s) { s.rings[0].inclusion = 1; }),
             "rings[0].inclusion: 1; must be the id of an inclusion");
   EXPECT_EQ(verdict([](Specimen& s) { s.rings[1].inclusion = 3; }),
-            "rings[1].inclusion: 3 has a ring already; must be one ring an inclusion");
+            "rings[1].inclusion: 3 has a ring already; must be one ring per inclusion");
   EXPECT_EQ(verdict([](Specimen& s) { s.rings[1].vertices.pop_back(); }),
             "rings[1].vertices: 2 corners; must be >= 3");
   EXPECT_EQ(verdict([](Specimen& s) { s.rings[1].vertices[0].x = nan; }),

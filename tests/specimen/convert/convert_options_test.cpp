@@ -48,9 +48,9 @@ TEST(ConvertOptions, EachValueIsChecked) {
   EXPECT_EQ(complaint([](auto& o) { o.pixels = -1; }),
             "convert.pixels: -1; 1 to 100,000; 0 = as the picture");
   EXPECT_EQ(complaint([](auto& o) { o.width = -0.15; }),
-            "convert.width: -150 mm; must be > 0; leave it out to use the file's tag");
+            "convert.width: -150 mm; must be > 0; omit it to use the resolution tag of the file");
   EXPECT_EQ(complaint([](auto& o) { o.source_pixel_size = std::nan(""); }),
-            "convert.pixel_size: nan mm; must be > 0; leave it out to use the file's tag");
+            "convert.pixel_size: nan mm; must be > 0; omit it to use the resolution tag of the file");
   EXPECT_EQ(complaint([](auto& o) { o.channel = "grey"; }),
             "convert.channel: grey; gray, red, green, blue, hue, saturation, value, l, a, b are known");
 }
@@ -101,7 +101,7 @@ TEST(ConvertOptions, ListsMustFitTogether) {
               o.thresholds = {1, 2};
               o.class_phases = {"void", "mortar"};
             }),
-            "convert.class_phases: 2 names; there are 3 classes; name every class, from the darkest on");
+            "convert.class_phases: 2 names; there are 3 classes; name every class, darkest first");
   EXPECT_EQ(complaint([](auto& o) {
               o.class_phases = {"void", ""};
             }),
@@ -149,7 +149,7 @@ TEST(ConvertOptions, ScaleIsAsGivenElseTheTagElseAnError) {
     FAIL();
   } catch (const specimen::NoScale& error) {
     EXPECT_STREQ(error.what(),
-                 "convert.pixel_size: not given, and the file does not say; the scale is needed; give "
+                 "convert.pixel_size: not given, and the file has no scale; the scale is needed; give "
                  "source_pixel_size or width");
   }
   picture.pixel_size = 0.0254 / 2400;

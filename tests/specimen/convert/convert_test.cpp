@@ -180,7 +180,7 @@ TEST(Convert, ResamplingKeepsGrainsAndCountsFromOne) {
   EXPECT_EQ(converted.segmented.mask.labels.rows, 20);  // 20.3 of them
   EXPECT_DOUBLE_EQ(converted.segmented.mask.pixel_size, 3e-3);
   EXPECT_EQ(converted.segmented.inclusions.size(), 2U);  // grain 1 is too small to be seen
-  EXPECT_THAT(converted.report.notes, Contains(HasSubstr("left out 1 pixel rows at the bottom")));
+  EXPECT_THAT(converted.report.notes, Contains(HasSubstr("omitted 1 pixel row at the bottom")));
   EXPECT_THAT(converted.report.notes, Contains(HasSubstr("to 30 x 20 by majority")));
 }
 
@@ -288,7 +288,7 @@ TEST(Convert, SaysWhenAMethodDoesNotFitThePicture) {
   options.method = Segmentation::labels;
   EXPECT_THAT(
       complaint(scratch.file("stones.png"), options),
-      HasSubstr("convert.method: labels; needs a picture of whole numbers with at most 256 different ones; "
+      HasSubstr("convert.method: labels; needs a picture with whole numbers and at most 256 different ones; "
                 "this one looks like a photograph: use kmeans or otsu"));
   specimen::write_labels(scratch.file("labels.png"), our_mask());
   options.median = 3;
@@ -298,7 +298,7 @@ TEST(Convert, SaysWhenAMethodDoesNotFitThePicture) {
   options.method = Segmentation::otsu;
   options.channel = "hue";
   EXPECT_EQ(complaint(scratch.file("labels.png"), options),
-            "convert.channel: hue of a grey picture; it has the channel gray alone");
+            "convert.channel: hue of a grey picture; it has only the channel gray");
 }
 
 TEST(Convert, IntersectionOverUnionPerPhase) {

@@ -187,12 +187,11 @@ TEST(Twin, OfOneAggregateHasOne) {
 }
 
 TEST(Twin, NeedsAnOriginalWithAggregatesAndMortar) {
-  EXPECT_EQ(
-      refusal(describe(make_specimen(draw_ellipses({}, 0.05, 0.05, mm), no_itz, {}))),
-      "original: no aggregate; twins need aggregates to be like; look at how the phases are told apart");
+  EXPECT_EQ(refusal(describe(make_specimen(draw_ellipses({}, 0.05, 0.05, mm), no_itz, {}))),
+            "original: no aggregate; twins need aggregates to match; check how the phases are separated");
   EXPECT_EQ(refusal(describe(
                 make_specimen(draw_window({{0.02, 0.02, 0.04, 0.04, 0}}, 0.04, 0.04, mm), no_itz, {}))),
-            "original: 100 % of aggregate; must be at most 90 %; look at how the phases are told apart");
+            "original: 100 % of aggregate; must be at most 90 %; check how the phases are separated");
 }
 
 TEST(Twin, RefusesWhatDoesNotFit) {

@@ -32,16 +32,16 @@ TEST_F(SpecimenFileRead, NamesAFileThatIsNone) {
   };
   EXPECT_EQ(message(folder / "none.h5"),
             (folder / "none.h5") + ": there is no such file; must be a specimen");
-  EXPECT_EQ(message(folder / ""), (folder / "") + ": is no regular file; must be a specimen");
+  EXPECT_EQ(message(folder / ""), (folder / "") + ": is not a regular file; must be a specimen");
   test::write_text(folder / "picture.png", "\x89PNG\r\n");
   EXPECT_EQ(message(folder / "picture.png"),
             (folder / "picture.png") +
-                ": is no HDF5 file; must be a specimen; turn a picture into one with: mesopix convert");
+                ": is not an HDF5 file; must be a specimen; make one from a picture with: mesopix convert");
 }
 
 TEST_F(SpecimenFileRead, RefusesAnotherHdf5File) {
   EXPECT_EQ(verdict([](hid_t f) { H5Adelete(f, "format"); }),
-            "/@format: is no specimen of mesopix; must be a file that mesopix wrote; make one with: mesopix "
+            "/@format: is not a mesopix specimen; must be a file that mesopix wrote; make one with: mesopix "
             "generate, or mesopix convert");
   EXPECT_EQ(verdict([](hid_t f) { set_attribute(f, "/", "format_version", H5T_STD_I32LE, 2); }),
             "/@format_version: 2; must be 1; use the version of mesopix that wrote it");

@@ -52,7 +52,7 @@ TEST_F(SpecimenFileSource, RefusesHugeTextsAndHugeChunks) {
   const hid_t text = H5Tcopy(H5T_C_S1);
   H5Tset_size(text, std::size_t{1} << 30U);
   EXPECT_EQ(verdict([&](hid_t f) { replace(f, "/phases", text, {4}); }),
-            "/phases: 1073741824 bytes a text; must be at most 16777216");
+            "/phases: 1073741824 bytes per text; must be at most 16777216");
   H5Tset_size(text, std::size_t{1} << 20U);
   EXPECT_EQ(verdict([&](hid_t f) {
               const Options options;
@@ -120,21 +120,21 @@ TEST_F(SpecimenFileSource, FollowsNoLinks) {
               H5Ldelete(f, "/labels", H5P_DEFAULT);
               H5Lcreate_external("other.h5", "/labels", f, "/labels", H5P_DEFAULT, H5P_DEFAULT);
             }),
-            "/labels: is reached over a soft or external link; must be part of the file itself");
+            "/labels: is reached by a soft or external link; must be part of the file itself");
   EXPECT_EQ(verdict([](hid_t f) {
               H5Lmove(f, "/rings", f, "/hoops", H5P_DEFAULT, H5P_DEFAULT);
               H5Lcreate_soft("/hoops", f, "/rings", H5P_DEFAULT, H5P_DEFAULT);
             }),
-            "/rings: is reached over a soft or external link; must be part of the file itself");
+            "/rings: is reached by a soft or external link; must be part of the file itself");
   EXPECT_EQ(verdict([](hid_t f) {
               H5Ldelete(f, "/contours", H5P_DEFAULT);
               H5Lcreate_external("other.h5", "/contours", f, "/contours", H5P_DEFAULT, H5P_DEFAULT);
             }),
-            "/contours/offsets: is reached over a soft or external link; must be part of the file itself");
+            "/contours/offsets: is reached by a soft or external link; must be part of the file itself");
 }
 
 TEST_F(SpecimenFileSource, ReadsNoOtherFile) {
-  const char* const elsewhere = "/labels: keeps its data elsewhere; must be part of the file itself";
+  const char* const elsewhere = "/labels: has its data outside the file; must be part of the file itself";
   test::write_text(folder / "secret", std::string(48, '\1'));
   EXPECT_EQ(verdict([this](hid_t f) {
               const Options options;
@@ -194,7 +194,7 @@ TEST_F(SpecimenFileSource, DoesNotLookHowFarAViewReaches) {
               H5Dclose(labels);
               H5Sclose(space);
             }),
-            "/labels: keeps its data elsewhere; must be part of the file itself");
+            "/labels: has its data outside the file; must be part of the file itself");
 }
 
 TEST_F(SpecimenFileSource, UnpacksNothingTwice) {
@@ -259,7 +259,7 @@ TEST_F(SpecimenFileHeap, OfASpecimenIsSound) { EXPECT_TRUE(heaps_are_sound(path)
 
 TEST_F(SpecimenFileHeap, ThatHasNoEndIsRefused) {
   const std::string refused =
-      "lengths in a heap of its texts are wrong; the file is damaged: take a copy of it, or make the "
+      "lengths in a heap of its texts are wrong; the file is damaged: use a copy, or make the "
       "specimen again";
   EXPECT_EQ(with_object(0, 0), refused);
   EXPECT_EQ(with_object(1, ~std::uint64_t{0} - 15), refused);

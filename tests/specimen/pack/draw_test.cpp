@@ -123,7 +123,7 @@ TEST(Draw, ImpossibleEllipseIsNamed) {
 TEST(Draw, EllipseBetweenThePixelCentresIsNamed) {
   EXPECT_EQ(refusal({{0.05, 0.05, 0.0004, 0.0003, 0}}),
             "ellipses: number 1 at (50, 50) mm; holds no pixel centre: it is smaller than a pixel of 1 mm; "
-            "lower the pixel size or leave such small aggregates out");
+            "lower the pixel size or omit such small aggregates");
 }
 
 TEST(Draw, SizeMustBeAWholeNumberOfPixels) {

@@ -145,7 +145,7 @@ TEST(Grading, EmptyRangeIsRefused) {
   EXPECT_EQ(refusal("fuller", 20 * mm, 5 * mm),
             "generate.d_max: 5 mm; must be above d_min, which is 20 mm; swap them or widen the range");
   EXPECT_EQ(refusal("fuller", 0, 5 * mm),
-            "generate.d_min: 0 mm; must be > 0; give the size of the least aggregate");
+            "generate.d_min: 0 mm; must be > 0; give the size of the smallest aggregate");
   EXPECT_THAT(refusal("fuller", not_a_number, 5 * mm), testing::HasSubstr("generate.d_min: nan"));
   EXPECT_THAT(refusal("fuller", 5 * mm, infinite), testing::HasSubstr("generate.d_max: inf"));
   EXPECT_EQ(refusal("A8", 8 * mm, 20 * mm),

@@ -255,7 +255,7 @@ TEST(Packing, EllipseThatFitsAtNoDirectionIsRefused) {
         o.fraction = 314.2e-6 / (0.022 * 0.022);
         o.aspect_max = 0.5;
       }),
-      "generate.d_max: 20 mm; an aggregate of 28.2861 mm x 14.1431 mm does not fit between the walls at "
+      "generate.d_max: 20 mm; an aggregate of 28.2861 mm x 14.1431 mm does not fit between the walls in "
       "any direction that was tried; lower d_max, raise aspect_min or take a larger specimen");
 }
 

@@ -92,8 +92,8 @@ TEST(PictureBmp, RefusesWhatItCannotReadWithTheReason) {
   };
   refused({2, 1, 8, two_colours, {7, 0, 0, 0}, 0, 0}, "colour 7 of a palette with 2 colours");
   refused({2, 1, 8, two_colours, {0, 0, 0, 0}, 1, 0}, "is a compressed BMP; save it without compression");
-  refused({2, 1, 16, {}, {0, 0, 0, 0}, 0, 0}, "is a BMP of 16 bits a pixel; 1, 4, 8, 24 and 32 are read");
-  refused({1000, 1000, 24, {}, {0, 0, 0, 0}, 0, 0}, "is cut off: 58 bytes cannot hold 1000 x 1000 pixels");
+  refused({2, 1, 16, {}, {0, 0, 0, 0}, 0, 0}, "is a BMP of 16 bits per pixel; 1, 4, 8, 24 and 32 are read");
+  refused({1000, 1000, 24, {}, {0, 0, 0, 0}, 0, 0}, "is truncated: 58 bytes cannot hold 1000 x 1000 pixels");
   refused({2147483647, 2147483647, 24, {}, {}, 0, 0}, "at most 200000000 pixels are allowed");
   refused({-2, 1, 24, {}, {}, 0, 0}, "holds -2 x 1 pixels");
   refused({2, std::numeric_limits<std::int32_t>::min(), 24, {}, {}, 0, 0}, "2 x 2147483648 pixels");

@@ -25,9 +25,10 @@ std::string reason_of(const std::string& path) {
 TEST(PictureFile, SaysWhyAFileCannotBeOpened) {
   const Scratch scratch;
   EXPECT_THAT(reason_of(scratch.file("missing.png")), HasSubstr("cannot be read: No such file"));
-  EXPECT_THAT(reason_of(scratch.file("")), HasSubstr("is no regular file"));
+  EXPECT_THAT(reason_of(scratch.file("")), HasSubstr("is not a regular file"));
   ASSERT_EQ(::mkfifo(scratch.file("pipe").c_str(), 0600), 0);
-  EXPECT_THAT(reason_of(scratch.file("pipe")), HasSubstr("is no regular file"));  // and does not wait for it
+  EXPECT_THAT(reason_of(scratch.file("pipe")),
+              HasSubstr("is not a regular file"));  // and does not wait for it
 }
 
 }  // namespace picture_file_test

@@ -105,9 +105,8 @@ TEST(PicturePng, RefusesAnAnimation) {
     return scratch.write("moves.png", bytes);
   };
   EXPECT_EQ(specimen::read_picture(with_pictures(1)).gray(0, 1), 9);
-  expect_refused(
-      with_pictures(2),
-      "is an animated PNG; must hold one picture; save the one that is meant as a file of its own");
+  expect_refused(with_pictures(2),
+                 "is an animated PNG; must hold one picture; save the right one as a separate file");
 }
 
 TEST(PicturePng, RefusesAHugeClaimBeforeItAsksForMemory) {
@@ -128,7 +127,7 @@ TEST(PicturePng, RefusesAHugeClaimBeforeItAsksForMemory) {
   for (const std::size_t i : {16U, 17U, 20U, 21U}) bytes[i] = 0;
   bytes[18] = bytes[22] = 0x27;  // 9,985 x 9,985 pixels in 67 bytes
   seal();
-  expect_refused(scratch.write("empty.png", bytes), "is cut off: 67 bytes cannot hold 9985 x 9985 pixels");
+  expect_refused(scratch.write("empty.png", bytes), "is truncated: 67 bytes cannot hold 9985 x 9985 pixels");
 }
 
 TEST(PicturePng, RefusesEveryBeginningAndSurvivesDamage) {

@@ -35,7 +35,7 @@ TEST(PicturePnm, ReadsBytesOfEightAndSixteenBits) {
 TEST(PicturePnm, RefusesSeveralPictures) {
   const Scratch scratch;
   const std::string several =
-      "is a PNM of several pictures; must hold one picture; save the one that is meant as a file of its own";
+      "is a PNM of several pictures; must hold one picture; save the right one as a separate file";
   expect_refused(scratch.write("two.pgm", "P5 2 1 255\nabP5 2 1 255\nab"), several);
   expect_refused(scratch.write("two.ppm", "P3 1 1 9 1 2 3\n\nP3 1 1 9 1 2 3\n"), several);
   (void)specimen::read_picture(scratch.write("rest.pgm", "P5 2 1 255\nab\nPixels of mine"));
@@ -52,7 +52,7 @@ TEST(PicturePnm, RefusesWhatTheHeaderForbids) {
   refused("P2 x 1 9 0", "is a damaged PNM: a number was expected");
   refused("P2 99999999999 1 9 0", "is a damaged PNM: a number is too large");
   refused("P5 30000 30000 255\n", "at most 200000000 pixels are allowed");
-  refused("P5 9000 9000 255\n", "is cut off: 17 bytes cannot hold 9000 x 9000 pixels");
+  refused("P5 9000 9000 255\n", "is truncated: 17 bytes cannot hold 9000 x 9000 pixels");
   refused("P5 0 4 255\n", "holds 0 x 4 pixels");
 }
 

@@ -69,9 +69,9 @@ TEST(Picture, RefusesWhatIsNoPicture) {
   const Scratch scratch;
   specimen_test::expect_refused(
       scratch.write("notes.png", std::string("just some text")),
-      "is no picture that is known here; PNG, TIFF, BMP, JPEG, PGM and PPM are read");
+      "is not in a known picture format; PNG, TIFF, BMP, JPEG, PGM and PPM are read");
   specimen_test::expect_refused(scratch.write("empty.png", std::string()),
-                                "is no picture that is known here");
+                                "is not in a known picture format");
 }
 
 TEST(Picture, RefusesMorePixelsThanAllowed) {

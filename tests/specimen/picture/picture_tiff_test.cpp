@@ -111,7 +111,7 @@ TEST(PictureTiff, RefusesValuesThatAreNoNumbers) {
   recipe.format = SAMPLEFORMAT_IEEEFP;
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   expect_refused(make_tiff<float>(scratch, recipe, {0, nan, 1, inf}),
-                 "holds 2 pixels that are no number (NaN or infinite), the first in row 0, column 1");
+                 "holds 2 pixels that are not finite (NaN or infinite), the first in row 0, column 1");
 }
 
 TEST(PictureTiff, RefusesAHugeClaimBeforeItAsksForMemory) {
@@ -174,8 +174,7 @@ TEST(PictureTiff, RefusesSeveralPagesButNotAPreview) {
     add_page(path, FILETYPE_REDUCEDIMAGE, 9);
     add_page(path, kind, 9);
     expect_refused(
-        path,
-        "is a TIFF of several pages; must hold one picture; save the one that is meant as a file of its own");
+        path, "is a TIFF of several pages; must hold one picture; save the right one as a separate file");
   }
 }
 

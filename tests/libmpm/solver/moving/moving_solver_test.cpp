@@ -173,7 +173,7 @@ TEST(NotANumber, StopsInItsStepWithThePointAndItsPhase) {
     });
     EXPECT_THAT(
         it.solver.advance(100).trouble,
-        testing::AllOf(testing::HasSubstr("a place is not a number, that of the point of pixel (row "),
+        testing::AllOf(testing::HasSubstr("a position is not a number, that of the point of pixel (row "),
                        testing::HasSubstr("), soft; "), testing::HasSubstr("try a smaller solver.cfl")));
     EXPECT_EQ(it.solver.steps(), 1);
   }
