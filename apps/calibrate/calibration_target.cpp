@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "apps/system/files.hpp"
 #include "apps/text/complaint.hpp"
@@ -26,53 +25,32 @@ std::size_t index_of_peak(const std::vector<double>& stress) {
   return static_cast<std::size_t>(std::max_element(stress.begin(), stress.end()) - stress.begin());
 }
 
-class CurveReader {
+class CurveReader : public TableReader {
  public:
-  explicit CurveReader(std::string path) : path_(std::move(path)) {}
+  using TableReader::TableReader;
 
   TargetCurve read(const std::string& text) {
-    std::istringstream stream(text);
-    for (std::string line; complaints_.size() < most_complaints && std::getline(stream, line);) {
-      ++line_;
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line_ == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // byte order mark
-      const std::size_t first = line.find_first_not_of(" \t");
-      if (first == std::string::npos || line[first] == '#') continue;
-      if (cells_in_header_ > 0)
-        read_row(line);
-      else if (!read_header(line))
-        break;  // nothing below can be understood
-    }
+    read_lines(text);
     check_whole();
     if (!complaints_.empty()) throw Rejected(Exit::data, complaints_);
     return curve_;
   }
 
  private:
-  void complain(int column, std::string field, std::string value, std::string allowed,
-                std::string cure = {}) {
-    const Place place = column == 0 ? Place{path_, 0, 0} : Place{path_, line_, column};
-    complaints_.push_back({place, std::move(field), std::move(value), std::move(allowed), std::move(cure)});
-  }
-
-  bool read_header(const std::string& line) {
-    const std::vector<CsvCell> cells = csv_cells(line);
-    cells_in_header_ = cells.size();
+  void read_header(const std::vector<CsvCell>& cells) override {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       take_column(cells[i], i, "strain", Dimension::ratio, strain_);
       take_column(cells[i], i, "stress", Dimension::pressure, stress_);
     }
     if (complaints_.empty() && !strain_) complain(1, "strain", "column missing", header_form);
     if (complaints_.empty() && !stress_) complain(1, "stress", "column missing", header_form);
-    return complaints_.empty();
   }
 
   /// Columns of other names, "stress_top_Pa" among them, are nobody's mistake.
   void take_column(const CsvCell& cell, std::size_t index, const std::string& name, Dimension dimension,
                    std::optional<Column>& column) {
-    const std::size_t bar = cell.text.find('_');
-    if (cell.text.substr(0, bar) != name) return;
-    const std::string unit = bar == std::string::npos ? "" : cell.text.substr(bar + 1);
+    const auto [heading, unit] = name_and_unit(cell);
+    if (heading != name) return;
     const bool fits = unit.empty() ? dimension == Dimension::ratio : is_unit(unit, dimension);
     if (!fits && unit.find('_') != std::string::npos) return;
     if (!fits)
@@ -83,13 +61,9 @@ class CurveReader {
       column = Column{index, unit};
   }
 
-  void read_row(const std::string& line) {
-    const std::vector<CsvCell> cells = csv_cells(line);
-    if (cells.size() != cells_in_header_)
-      return complain(1, "row", fmt::format("{} cells", cells.size()),
-                      fmt::format("the header has {}", cells_in_header_));
-    const auto strain = read_cell(cells[strain_->index], *strain_, "strain", Dimension::ratio);
-    const auto stress = read_cell(cells[stress_->index], *stress_, "stress", Dimension::pressure);
+  void read_row(const std::vector<CsvCell>& cells) override {
+    const auto strain = number_in(cells[strain_->index], "strain", strain_->unit, Dimension::ratio);
+    const auto stress = number_in(cells[stress_->index], "stress", stress_->unit, Dimension::pressure);
     if (!strain || !stress) return;
     if (!(*strain >= 0 && *strain < 1))
       return complain(cells[strain_->index].column, "strain", cells[strain_->index].text,
@@ -103,19 +77,9 @@ class CurveReader {
     curve_.stress.push_back(*stress);
   }
 
-  std::optional<double> read_cell(const CsvCell& cell, const Column& column, const char* name,
-                                  Dimension dimension) {
-    try {
-      return parse_quantity(cell.text + " " + column.unit, dimension);
-    } catch (const Mistake&) {
-      complain(cell.column, name, quoted(cell.text), "must be a number, its unit is in the header");
-      return std::nullopt;
-    }
-  }
-
   void check_whole() {
     if (!complaints_.empty()) return;
-    if (cells_in_header_ == 0) return complain(0, "", "no header", header_form);
+    if (!has_header()) return complain(0, "", "no header", header_form);
     if (curve_.strain.size() < 3)
       return complain(0, "", fmt::format("{} rows", curve_.strain.size()), "a curve needs at least 3");
     if (!(curve_.peak_stress() > 0))
@@ -123,12 +87,8 @@ class CurveReader {
                "turn its sign");
   }
 
-  std::string path_;
-  int line_ = 0;
-  std::size_t cells_in_header_ = 0;
   std::optional<Column> strain_, stress_;
   TargetCurve curve_;
-  std::vector<Complaint> complaints_;
 };
 
 }  // namespace

@@ -22,17 +22,6 @@ constexpr double inside_share = 0.999;  ///< of the way from the start to a boun
   throw Rejected(Exit::usage, complaint(option_name("free"), item, std::move(allowed), std::move(cure)));
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> items;
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t end = std::min(text.find(separator, from), text.size());
-    items.emplace_back(trimmed(std::string_view(text).substr(from, end - from)));
-    from = end + 1;
-  }
-  return items;
-}
-
 double rounded(double value) { return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr); }
 
 Value written(double value, Dimension dimension) {
@@ -75,7 +64,7 @@ class ParameterReader {
 
   std::vector<FreeParameter> read(const std::string& text) {
     std::vector<FreeParameter> parameters;
-    for (const std::string& item : split(text, ',')) parameters.push_back(read_parameter(item));
+    for (const std::string& item : items_between(text, ',')) parameters.push_back(read_parameter(item));
     return parameters;
   }
 
@@ -84,7 +73,7 @@ class ParameterReader {
     const std::size_t equals = item.find('=');
     FreeParameter parameter{
         std::string(trimmed(item.substr(0, equals))), {}, 1 / default_range, default_range};
-    for (const std::string& key : split(parameter.name, '+')) add_settings(key, parameter);
+    for (const std::string& key : items_between(parameter.name, '+')) add_settings(key, parameter);
     if (equals != std::string::npos) read_bounds(item, item.substr(equals + 1), parameter);
     for (const ScaledSetting& setting : parameter.settings) confine(setting, parameter);
     if (!(parameter.low < parameter.high))

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <sstream>
 
 #include "apps/system/files.hpp"
 #include "apps/text/text_parts.hpp"
@@ -20,41 +19,22 @@ struct Column {
   std::string unit;
 };
 
-class Reader {
+class Reader : public TableReader {
  public:
-  explicit Reader(std::string path) : path_(std::move(path)) {}
+  using TableReader::TableReader;
 
   std::vector<specimen::Ellipse> read(const std::string& text) {
-    std::istringstream stream(text);
-    for (std::string line; complaints_.size() < most_complaints && std::getline(stream, line);) {
-      ++line_;
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line_ == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // byte order mark
-      const std::size_t first = line.find_first_not_of(" \t");
-      if (first == std::string::npos || line[first] == '#') continue;
-      if (columns_.empty()) {
-        read_header(line);
-        if (!complaints_.empty()) break;  // nothing below can be understood
-      } else {
-        read_row(line);
-      }
-    }
-    if (columns_.empty() && complaints_.empty()) complain(0, path_, "no header", header_form);
-    if (complaints_.empty() && ellipses_.empty()) complain(0, path_, "no ellipses", "give one a line");
+    read_lines(text);
+    if (!has_header()) complaints_.push_back(complaint(path_, "no header", header_form));
+    if (complaints_.empty() && ellipses_.empty())
+      complaints_.push_back(complaint(path_, "no ellipses", "give one a line"));
     if (!complaints_.empty()) throw Rejected(Exit::data, complaints_);
     return ellipses_;
   }
 
  private:
-  void complain(int column, std::string field, std::string value, std::string allowed,
-                std::string cure = {}) {
-    const bool whole_file = column == 0;
-    complaints_.push_back({whole_file ? Place{} : Place{path_, line_, column}, std::move(field),
-                           std::move(value), std::move(allowed), std::move(cure)});
-  }
-
-  void read_header(const std::string& line) {
-    for (const CsvCell& cell : csv_cells(line))
+  void read_header(const std::vector<CsvCell>& cells) override {
+    for (const CsvCell& cell : cells)
       if (const auto column = column_of(cell)) columns_.push_back(*column);
     for (const EllipseColumn& wanted : ellipse_columns)
       if (wanted.required && !has(wanted.name) && complaints_.empty())
@@ -68,9 +48,7 @@ class Reader {
   }
 
   std::optional<Column> column_of(const CsvCell& cell) {
-    const std::size_t bar = cell.text.find('_');
-    const std::string name = cell.text.substr(0, bar);
-    const std::string unit = bar == std::string::npos ? "" : cell.text.substr(bar + 1);
+    const auto [name, unit] = name_and_unit(cell);
     for (const EllipseColumn& column : ellipse_columns) {
       if (column.name != name) continue;
       if (has(name)) complain(cell.column, name, "column given twice", "", "remove one");
@@ -82,16 +60,14 @@ class Reader {
     return std::nullopt;
   }
 
-  void read_row(const std::string& line) {
-    const std::vector<CsvCell> cells = csv_cells(line);
-    if (cells.size() != columns_.size()) {
-      complain(1, "row", fmt::format("{} cells", cells.size()),
-               fmt::format("the header has {}", columns_.size()));
-      return;
-    }
+  void read_row(const std::vector<CsvCell>& cells) override {
     specimen::Ellipse ellipse;
     const std::size_t before = complaints_.size();
-    for (std::size_t i = 0; i < cells.size(); ++i) read_cell(cells[i], columns_[i], ellipse);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto& [column, unit] = columns_[i];
+      ellipse.*column.member =
+          number_in(cells[i], column.name, unit, column.dimension).value_or(ellipse.*column.member);
+    }
     if (complaints_.size() > before) return;
     try {
       check_axes(ellipse);
@@ -101,21 +77,8 @@ class Reader {
     }
   }
 
-  void read_cell(const CsvCell& cell, const Column& column, specimen::Ellipse& ellipse) {
-    try {
-      ellipse.*column.meaning.member =
-          parse_quantity(cell.text + " " + column.unit, column.meaning.dimension);
-    } catch (const Mistake&) {
-      complain(cell.column, column.meaning.name, quoted(cell.text),
-               "must be a number, its unit is in the header");
-    }
-  }
-
-  std::string path_;
-  int line_ = 0;
   std::vector<Column> columns_;
   std::vector<specimen::Ellipse> ellipses_;
-  std::vector<Complaint> complaints_;
 };
 
 }  // namespace

@@ -8,19 +8,6 @@
 namespace app {
 namespace {
 
-/// Items between commas, without the blanks round them.
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> items;
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    items.emplace_back(trimmed(std::string_view(text).substr(from, comma - from)));
-    from = comma + 1;
-  }
-  if (items.size() == 1 && items.front().empty()) items.clear();
-  return items;
-}
-
 /// Items of a list may be numbers or texts; only a text that is a number throughout counts as one.
 Value list_item(const std::string& text) {
   if (const auto number = whole_number(text)) return {*number};
@@ -35,7 +22,8 @@ Value list_item(const std::string& text) {
 
 Value list_from_command_line(const std::string& text) {
   Value::List items;
-  for (const std::string& item : split(text)) items.push_back(list_item(item));
+  if (trimmed(text).empty()) return {items};
+  for (const std::string& item : items_between(text, ',')) items.push_back(list_item(item));
   return {items};
 }
 

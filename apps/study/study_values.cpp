@@ -36,15 +36,7 @@ Value written(const StudyParameter& parameter, double number) {
   return QuantityCodec{measure->dimension}.write(number);
 }
 
-std::vector<std::string> keys_of(const std::string& name) {
-  std::vector<std::string> keys;
-  for (std::size_t from = 0; from <= name.size();) {
-    const std::size_t to = std::min(name.find('+', from), name.size());
-    keys.emplace_back(trimmed(std::string_view(name).substr(from, to - from)));
-    from = to + 1;
-  }
-  return keys;
-}
+std::vector<std::string> keys_of(const std::string& name) { return items_between(name, '+'); }
 
 Value value_at_place(const StudyParameter& parameter, double u) {
   if (parameter.is_range()) {
