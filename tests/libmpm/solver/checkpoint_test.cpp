@@ -231,7 +231,7 @@ TEST(Checkpoint, GoesOnWithItsOwnSceneOnly) {
   const auto expect = [&](const std::string& what, const auto& change) {
     Scene other = scene;
     change(other);
-    EXPECT_EQ(complaint(other, checkpoint), "checkpoint: is of " + what + cure);
+    EXPECT_EQ(complaint(other, checkpoint), "checkpoint: has " + what + cure);
   };
   expect("another specimen than the scene", [](Scene& it) { it.labels(3, 4) = samples::aggregate; });
   expect("another specimen than the scene", [](Scene& it) { it.pixel_size *= 2; });
