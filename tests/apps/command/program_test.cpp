@@ -61,8 +61,9 @@ TEST_F(Program, RefusesWhatItDoesNotKnow) {
       {"simulte"}, Exit::usage,
       "simulte: unknown command; must be generate, convert, twin, scene, simulate, study, calibrate, "
       "inspect, report, plot, export, doctor or help; did you mean simulate?");
-  expect_refusal({"bench"}, Exit::usage,
-                 "bench: is not in this build; ./quickstart all builds it, or cmake with -DMESOPIX_EVIDENCE=ON");
+  expect_refusal(
+      {"bench"}, Exit::usage,
+      "bench: is not in this build; ./quickstart all builds it, or cmake with -DMESOPIX_EVIDENCE=ON");
   expect_refusal({"--json"}, Exit::usage,
                  "--json: is no command; must be generate, convert, twin, scene, simulate, study, calibrate, "
                  "inspect, report, plot, export, doctor or help; mesopix --help tells what they do");
