@@ -101,7 +101,8 @@ TEST_F(FrameFileRead, RefusesNumbersThatMeanNothing) {
     return verdict([&](hid_t f) { create(f, name, type, extent, H5P_DEFAULT, values); });
   };
   const std::int32_t negative[] = {-1, 4};
-  EXPECT_THAT(holds("VTKHDF/PointData/id", H5T_STD_I32LE, {2}, negative), HasSubstr("do not increase from 0"));
+  EXPECT_THAT(holds("VTKHDF/PointData/id", H5T_STD_I32LE, {2}, negative),
+              HasSubstr("do not increase from 0"));
   for (const float wrong : {-0.5F, 1.5F, std::nanf("")}) {
     const float damage[] = {0, wrong};
     EXPECT_THAT(holds("VTKHDF/PointData/damage", H5T_IEEE_F32LE, {2}, damage),
