@@ -47,10 +47,6 @@ Body generate(const py::object& scene, const py::dict& settings, const py::dict&
   });
 }
 
-bool is_path(const py::object& object) {
-  return py::isinstance<py::str>(object) || py::hasattr(object, "__fspath__");
-}
-
 Body convert_array(const py::object& image, std::vector<app::Assignment> given) {
   given.insert(given.begin(), {"specimen.picture", {"array"}, {}, "image", ""});
   app::Resolved resolved = app::resolve({}, given);
@@ -75,8 +71,7 @@ Body read_specimen(const py::object& path) {
 }
 
 std::vector<std::string> body_write(const Body& body, const py::object& path) {
-  const app::Origins origins{{"-o", {"-o", {}, {}, "path", ""}}};
-  return located(origins, [&] {
+  return located(with_output("path"), [&] {
     app::check_output(path_text(path), "");
     return app::write_specimen_output(path_text(path), *body.specimen);
   });
@@ -121,11 +116,13 @@ app::Prepared Broken::whole() const {
   return unlocked(resolved.settings, [&] { return app::prepare_specimen(resolved.settings); });
 }
 
-Broken broken_of(const py::object& input, std::vector<app::Assignment> given,
-                 app::Resolved (*resolve)(const std::string& path, std::vector<app::Assignment> given)) {
+Broken broken_of(const py::object& input, std::vector<app::Assignment> given, const std::string& argument) {
   if (!py::isinstance<Body>(input)) {
     const std::string path = path_text(input);
-    Broken broken{resolve(path, std::move(given)), {}, std::filesystem::path(path).stem().string()};
+    Broken broken{argument == "SCENE" ? app::resolve_scene(path, given)
+                                      : app::resolve_input(argument.c_str(), path, std::move(given)),
+                  {},
+                  std::filesystem::path(path).stem().string()};
     located(broken.resolved.origins, [&] { settle_source(broken.resolved.settings); });
     if (broken.resolved.settings.title.empty()) broken.resolved.settings.title = broken.stem;
     return broken;

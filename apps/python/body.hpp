@@ -37,10 +37,10 @@ struct Broken {
   [[nodiscard]] app::Prepared whole() const;
 };
 
-/// @param resolve  reads what stands at a path.   @throws app::Rejected.
+/// @param argument  what the program calls a path there: "INPUT", "PICTURE"; a "SCENE" is no other file.
+/// @throws app::Rejected.
 [[nodiscard]] Broken broken_of(const py::object& input, std::vector<app::Assignment> given,
-                               app::Resolved (*resolve)(const std::string& path,
-                                                        std::vector<app::Assignment> given));
+                               const std::string& argument);
 
 /// Where a specimen that is no file is written beside what came of it.
 inline constexpr const char* specimen_name = "specimen.h5";

@@ -35,7 +35,7 @@ struct Fit {
 using FitPointer = std::shared_ptr<Fit>;
 
 app::TargetCurve measured_curve(const py::object& target) {
-  if (target.is_none() || py::isinstance<py::str>(target) || py::hasattr(target, "__fspath__")) return {};
+  if (target.is_none() || is_path(target)) return {};
   const auto [strain, stress] = target.cast<std::pair<std::vector<double>, std::vector<double>>>();
   std::string table = "strain,stress_Pa\n";
   for (std::size_t i = 0; i < std::min(strain.size(), stress.size()); ++i)
@@ -50,24 +50,16 @@ app::TargetCurve measured_curve(const py::object& target) {
 
 app::CalibrationWish fit_wish_of(const py::dict& wanted) {
   app::CalibrationWish wish;
-  const auto set = [&](const char* name, std::string& text, const char* unit = "") {
-    const py::object value = wanted[name];
-    if (!value.is_none()) text = option_text(value, unit);
-  };
-  set("peak_stress", wish.peak_stress, "Pa");
-  set("peak_strain", wish.peak_strain);
-  set("seeds", wish.seeds);
-  set("tolerance", wish.tolerance);
-  set("max_evaluations", wish.evaluations);
+  take(wanted, "peak_stress", wish.peak_stress, "Pa");
+  take(wanted, "peak_strain", wish.peak_strain);
+  take(wanted, "seeds", wish.seeds);
+  take(wanted, "tolerance", wish.tolerance);
+  take(wanted, "max_evaluations", wish.evaluations);
   const py::object free = wanted["free"], target = wanted["target"];
   if (!free.is_none())
     wish.free = (py::isinstance<py::str>(free) ? free : py::str(",").attr("join")(free)).cast<std::string>();
-  if (py::isinstance<py::str>(target) || py::hasattr(target, "__fspath__")) wish.curve = path_text(target);
+  if (is_path(target)) wish.curve = path_text(target);
   return wish;
-}
-
-app::Resolved resolve_path(const std::string& path, std::vector<app::Assignment> given) {
-  return app::resolve_scene(path, given);
 }
 
 app::Calibration search(const app::CalibrationTask& task, Spectator& spectator) {
@@ -78,22 +70,12 @@ app::Calibration search(const app::CalibrationTask& task, Spectator& spectator) 
   });
 }
 
-void fit_conclude(const FitPointer& fit, const Spectator& spectator) {
-  spectator.rethrow();
-  const bool nothing = fit->found.history.empty();
-  if (spectator.interrupted())
-    raise_with(
-        "Interrupted",
-        nothing ? "interrupted before anything was found" : "interrupted; the best so far is in .result",
-        nothing ? py::none() : py::cast(fit));
-}
-
 FitPointer calibrate(const py::object& input, const py::dict& settings, const py::dict& options,
                      const py::dict& wanted, const py::object& progress) {
   const app::CalibrationWish wish = located({}, [&] { return fit_wish_of(wanted); });
   app::Target target = located({}, [&] { return read_target(wish, measured_curve(wanted["target"])); });
   Broken broken = located({}, [&] {
-    return broken_of(input, assignments(app::offer_of_calibrate(), settings, options), resolve_path);
+    return broken_of(input, assignments(app::offer_of_calibrate(), settings, options), "SCENE");
   });
   return located(broken.resolved.origins, [&] {
     app::check_loading(broken.resolved.settings.scene);
@@ -103,7 +85,10 @@ FitPointer calibrate(const py::object& input, const py::dict& settings, const py
     fit->task.emplace(app::make_task(fit->job, std::move(target), wish));
     Spectator spectator(progress);
     fit->found = search(*fit->task, spectator);
-    fit_conclude(fit, spectator);
+    const bool nothing = fit->found.history.empty();
+    spectator.conclude(
+        nothing ? "interrupted before anything was found" : "interrupted; the best so far is in .result",
+        nothing ? py::none() : py::cast(fit));
     return fit;
   });
 }
@@ -129,8 +114,7 @@ std::string scene(const Fit& fit) {
 }
 
 void fit_save(const Fit& fit, const py::object& wanted, bool overwrite) {
-  const app::Origins origins{{"-o", {"-o", {}, {}, "folder", ""}}};
-  located(origins, [&] {
+  located(with_output("folder"), [&] {
     const fs::path folder = app::make_run_folder(path_text(wanted), "", overwrite);
     const Attempts written = write_calibration(folder, *fit.task, in_folder(fit, folder));
     if (fit.is_given) specimen::write_specimen((folder / specimen_name).string(), fit.job.specimen);
@@ -139,10 +123,9 @@ void fit_save(const Fit& fit, const py::object& wanted, bool overwrite) {
 }
 
 py::list fit_curves(const py::object& self) {
-  const py::object type = py::module_::import("mesopix.results").attr("Curve");
   py::list all;
   for (const app::SeedRun& run : self.cast<const Fit&>().found.runs)
-    all.append(type(view(run.strain, self), view(run.stress, self)));
+    all.append(curve_of(view(run.strain, self), view(run.stress, self)));
   return all;
 }
 

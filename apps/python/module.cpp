@@ -2,7 +2,6 @@
 
 #include "apps/python/body.hpp"
 #include "apps/python/options.hpp"
-#include "apps/python/run.hpp"
 #include "apps/python/study.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/version.hpp"

@@ -9,8 +9,6 @@
 namespace binding {
 namespace {
 
-bool is_path(py::handle value) { return py::hasattr(value, "__fspath__"); }
-
 bool is_boolean(py::handle value) {
   return PyBool_Check(value.ptr()) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
 }
@@ -139,6 +137,15 @@ std::string option_text(const py::object& value, const char* unit) {
   return *unit == '\0' ? number : number + " " + unit;
 }
 
+void take(const py::dict& wanted, const char* name, std::string& text, const char* unit) {
+  if (const py::object value = wanted[name]; !value.is_none()) text = option_text(value, unit);
+}
+
+app::Origins with_output(const char* argument, app::Origins origins) {
+  origins["-o"] = {"-o", {}, {}, argument, ""};
+  return origins;
+}
+
 py::list described(const app::Offer& offer) {
   app::Settings defaults;
   const mpm::Phase mortar = app::phase_named(defaults, "mortar");
@@ -154,6 +161,8 @@ py::list described(const app::Offer& offer) {
   }
   return rows;
 }
+
+bool is_path(py::handle value) { return py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__"); }
 
 std::string path_text(const py::object& path) {
   return py::module_::import("os").attr("fsdecode")(path).cast<std::string>();

@@ -1,6 +1,4 @@
-/// JSON as dictionaries and lists of Python.
-/// Exceptions of ours as exceptions of Python.
-/// Settings as Python writes them.
+/// Settings, JSON and exceptions as Python has them.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,13 +13,14 @@
 
 namespace binding {
 
+namespace py = pybind11;
+
+/// JSON as dictionaries and lists.
 template <class Json>
-[[nodiscard]] pybind11::object as_dict(const Json& json) {
-  return pybind11::module_::import("json").attr("loads")(
+[[nodiscard]] py::object as_dict(const Json& json) {
+  return py::module_::import("json").attr("loads")(
       json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
-
-namespace py = pybind11;
 
 /// Do the work; what it throws is located where the user set what it is about, and becomes app::Rejected.
 /// Exceptions of Python pass, and so does a lack of memory.
@@ -49,7 +48,8 @@ void translate_refusals();
 /// Raise what a refusal becomes, with what was computed as .result.
 [[noreturn]] void raise_with(const app::Rejected& refusal, const py::object& result);
 
-namespace py = pybind11;
+/// Where complaints about the option -o come from: an argument of that name.
+[[nodiscard]] app::Origins with_output(const char* argument, app::Origins origins = {});
 
 /// Settings by key or short name, of a dictionary and of keyword arguments.
 ///
@@ -70,11 +70,17 @@ namespace py = pybind11;
 /// @param unit  of numbers, "Pa"; empty = none.
 [[nodiscard]] std::string option_text(const py::object& value, const char* unit = "");
 
+/// The same of one that is wanted by name; None leaves the text as it is.
+void take(const py::dict& wanted, const char* name, std::string& text, const char* unit = "");
+
 /// (name, key, type, default, help) of every setting that an offer has a short name for, in the order of the
 /// schema; those of phases are "PHASE.young".
 [[nodiscard]] py::list described(const app::Offer& offer);
 
-/// The text of a path: str or os.PathLike.   @throws TypeError.
+/// Whether it is str or os.PathLike.
+[[nodiscard]] bool is_path(py::handle value);
+
+/// The text of a path.   @throws TypeError.
 [[nodiscard]] std::string path_text(const py::object& path);
 
 }  // namespace binding

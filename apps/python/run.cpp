@@ -1,4 +1,4 @@
-#include "apps/python/run.hpp"
+#include "apps/python/study.hpp"
 
 #include <pybind11/stl.h>
 #include <optional>
@@ -25,10 +25,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One call of simulate.
+/// mesopix.Result: owner of all that its arrays show.
+struct Run {
+  app::Job job;
+  mpm::Result result;
+  output::ErrorEstimate estimate = {};
+  bool is_given = false;  ///< the specimen is no file, and is written beside the result
+
+  /// The resolved scene, as a folder would keep it.
+  [[nodiscard]] std::string scene_toml(const fs::path& folder) const {
+    app::Settings settings = job.settings;
+    if (is_given) settings.specimen.file = (folder / specimen_name).string();
+    return app::scene_text(settings, app::Extent::whole, folder);
+  }
+
+  /// What that folder is written from; it refers to the run.
+  [[nodiscard]] RunRecord record(const fs::path& folder) const {
+    std::string toml = scene_toml(folder), digest = specimen::sha256_of_text(toml);
+    return {job.specimen,      job.scene,          result,    std::move(toml),
+            std::move(digest), job.settings.title, job.notes, estimate};
+  }
+};
+
+/// Arguments of mesopix.simulate beside what is broken and its settings.
+struct RunWish {
+  py::object output;  ///< folder, or None
+  bool overwrite = false;
+  bool estimate_error = false;
+  py::object tolerance;  ///< or None
+  py::object progress;   ///< callback, or None
+};
+
+/// One call of simulate: solves without the lock, and writes the folder that was asked for. Raises Diverged
+/// and Interrupted with what was computed, and what the callback raises.
 class Task {
  public:
-  Task(Broken broken, const Wanted& wanted)
+  Task(Broken broken, const RunWish& wanted)
       : wanted_(wanted), broken_(std::move(broken)), spectator_(wanted.progress) {}
 
   std::shared_ptr<Run> carry_out() {
@@ -88,8 +120,7 @@ class Task {
       app::adopt(found, tolerance, run_->job);
       run_->estimate = found.estimate;
     } catch (const app::NoEstimate& failed) {
-      spectator_.rethrow();
-      if (spectator_.interrupted()) raise_with("Interrupted", "interrupted", py::none());
+      spectator_.conclude("interrupted", py::none());
       throw app::Rejected(app::Exit::data,
                           app::complaint("tolerance", "not met, " + failed.why, "", "nothing was written"));
     }
@@ -122,7 +153,7 @@ class Task {
   /// Write the folder; what the disk did not take is no reason to lose the result.
   void keep(const fs::path& folder, const app::FrameFolder& frames) {
     try {
-      write_folder(folder, *run_);
+      write_run(folder, run_->record(folder));
       if (const auto failure = frames.failure()) throw mpm::FileError(*failure);
     } catch (const mpm::FileError&) {
       lost_ = app::refusal_of(std::current_exception());
@@ -131,14 +162,12 @@ class Task {
 
   /// Raise what has gone wrong, now that all is kept.
   void conclude() const {
-    spectator_.rethrow();
-    if (spectator_.interrupted())
-      raise_with("Interrupted", "interrupted; what was computed is in .result", py::cast(run_));
+    spectator_.conclude("interrupted; what was computed is in .result", py::cast(run_));
     if (lost_) raise_with(*lost_, py::cast(run_));
     if (!divergence_.empty()) raise_with("Diverged", divergence_, py::cast(run_));
   }
 
-  const Wanted& wanted_;
+  const RunWish& wanted_;
   Broken broken_;
   Spectator spectator_;
   std::shared_ptr<Run> run_ = std::make_shared<Run>();
@@ -146,45 +175,26 @@ class Task {
   std::optional<app::Rejected> lost_;  ///< files of the folder
 };
 
-app::Origins with_output(app::Origins origins) {
-  origins["-o"] = {"-o", {}, {}, "output", ""};
-  return origins;
-}
-
-}  // namespace
-
-std::shared_ptr<Run> simulate(const py::object& input, const Wanted& wanted) {
+std::shared_ptr<Run> simulate(const py::object& input, const py::dict& settings, const py::dict& options,
+                              const py::object& output, bool overwrite, bool estimate_error,
+                              const py::object& tolerance, const py::object& progress) {
   Broken broken = located({}, [&] {
-    return broken_of(input, assignments(app::offer_of_simulate(), wanted.settings, wanted.options),
-                     [](const std::string& given, std::vector<app::Assignment> options) {
-                       return app::resolve_input("INPUT", given, std::move(options));
-                     });
+    return broken_of(input, assignments(app::offer_of_simulate(), settings, options), "INPUT");
   });
-  const app::Origins origins = with_output(broken.resolved.origins);
-  return located(origins, [&] { return Task(std::move(broken), wanted).carry_out(); });
+  const RunWish wish{output, overwrite, estimate_error, tolerance, progress};
+  return located(with_output("output", broken.resolved.origins),
+                 [&] { return Task(std::move(broken), wish).carry_out(); });
 }
-
-void write_folder(const fs::path& folder, const Run& run) {
-  const std::string toml = run.scene_toml(folder);
-  write_run(folder, {run.job.specimen, run.job.scene, run.result, toml, specimen::sha256_of_text(toml),
-                     run.job.settings.title, run.job.notes, run.estimate});
-}
-
-namespace {
-
-namespace fs = std::filesystem;
 
 const Run& run_of(const py::object& self) { return self.cast<const Run&>(); }
 
-py::object run_figures(const Run& run) {
-  const std::string toml = run.scene_toml(fs::current_path());
-  return as_dict(summary({run.job.specimen, run.job.scene, run.result, toml, specimen::sha256_of_text(toml),
-                          run.job.settings.title, run.job.notes, run.estimate}));
-}
+py::object run_figures(const Run& run) { return as_dict(summary(run.record(fs::current_path()))); }
+
+py::array history(const py::object& self) { return view(run_of(self).result.history, self, history_type()); }
 
 py::object curve(const py::object& self) {
-  const py::array history = view(run_of(self).result.history, self);
-  return py::module_::import("mesopix.results").attr("Curve")(history["strain"], history["stress"]);
+  const py::array rows = history(self);
+  return curve_of(rows["strain"], rows["stress"]);
 }
 
 /// The specimen stays with its run, which the pointer keeps.
@@ -203,8 +213,10 @@ std::shared_ptr<Run> read_result(const py::object& folder) {
 }
 
 void run_save(const Run& run, const py::object& folder, bool overwrite) {
-  const app::Origins origins{{"-o", {"-o", {}, {}, "folder", ""}}};
-  located(origins, [&] { write_folder(app::make_run_folder(path_text(folder), "", overwrite), run); });
+  located(with_output("folder"), [&] {
+    const fs::path made = app::make_run_folder(path_text(folder), "", overwrite);
+    write_run(made, run.record(made));
+  });
 }
 
 std::string run_representation(const Run& run) {
@@ -227,7 +239,7 @@ auto map_of(mpm::PixelField<T> mpm::Result::*member) {
 
 void bind_arrays(py::class_<Run, std::shared_ptr<Run>>& type) {
   type.def_property_readonly(
-          "history", [](const py::object& self) { return view(run_of(self).result.history, self); },
+          "history", &history,
           "structured array, a row a moment and a column a quantity, as curve.csv and in SI units: "
           "history[\"stress\"] [Pa]")
       .def_property_readonly("curve", &curve, "Curve(strain [-], stress [Pa]): two columns of the history")
@@ -270,20 +282,7 @@ void bind_figures(py::class_<Run, std::shared_ptr<Run>>& type) {
                              "Specimen that was broken, in whole cells of the grid");
 }
 
-std::shared_ptr<Run> simulate_call(const py::object& input, const py::dict& settings, const py::dict& options,
-                                   const py::object& output, bool overwrite, bool estimate_error,
-                                   const py::object& tolerance, const py::object& progress) {
-  return simulate(input, {settings, options, output, overwrite, estimate_error, tolerance, progress});
-}
-
 }  // namespace
-
-std::string Run::scene_toml(const fs::path& folder) const {
-  if (!is_given) return app::scene_text(job.settings, app::Extent::whole, folder);
-  app::Settings settings = job.settings;
-  settings.specimen.file = (folder / specimen_name).string();
-  return app::scene_text(settings, app::Extent::whole, folder);
-}
 
 void bind_run(py::module_& module) {
   py::class_<Run, std::shared_ptr<Run>> type(
@@ -297,7 +296,7 @@ void bind_run(py::module_& module) {
            "with "
            "the files that are missing when the disk fails.")
       .def("__repr__", &run_representation);
-  module.def("simulate", &simulate_call);
+  module.def("simulate", &simulate);
   module.def("read_result", &read_result);
 }
 

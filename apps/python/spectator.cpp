@@ -3,6 +3,8 @@
 #include <pybind11/stl.h>
 #include <utility>
 
+#include "apps/python/options.hpp"
+
 namespace binding {
 namespace {
 
@@ -40,11 +42,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto between_looks = std::chrono::milliseconds(50);
 
-/// Ctrl-C comes to the main thread alone; in others this does nothing.
-void check_signals() {
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-}
-
 }  // namespace
 
 Spectator::Spectator(py::object progress)
@@ -57,13 +54,13 @@ bool Spectator::is_due() {
   return true;
 }
 
-bool Spectator::look(const std::function<py::object()>& glance) {
-  if (progress_.is_none()) return go_on();
+bool Spectator::ask(const std::function<void()>& tell) {
   const py::gil_scoped_acquire lock;
   if (raised_ || ended_) return false;
   try {
-    check_signals();
-    progress_(glance());
+    // Ctrl-C comes to the main thread alone; in others this does nothing.
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    tell();
   } catch (const py::error_already_set& error) {
     ended_ = error.matches(PyExc_StopIteration);
     if (!ended_) raised_.emplace(error);
@@ -71,22 +68,23 @@ bool Spectator::look(const std::function<py::object()>& glance) {
   return !raised_ && !ended_;
 }
 
+bool Spectator::look(const std::function<py::object()>& glance) {
+  return progress_.is_none() ? go_on() : ask([&] { progress_(glance()); });
+}
+
 bool Spectator::go_on() {
-  if (!is_due()) return true;
-  const py::gil_scoped_acquire lock;
-  if (raised_ || ended_) return false;
-  try {
-    check_signals();
-  } catch (const py::error_already_set& error) {
-    raised_.emplace(error);
-  }
-  return !raised_;
+  return !is_due() || ask([] {});
 }
 
 bool Spectator::interrupted() const { return raised_ && raised_->matches(PyExc_KeyboardInterrupt); }
 
 void Spectator::rethrow() const {
   if (raised_ && !interrupted()) throw py::error_already_set(*raised_);
+}
+
+void Spectator::conclude(const std::string& text, const py::object& result) const {
+  rethrow();
+  if (interrupted()) raise_with("Interrupted", text, result);
 }
 
 }  // namespace binding

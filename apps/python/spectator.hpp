@@ -1,5 +1,4 @@
-/// What a callback is told.
-/// Python, looking on at work that goes on without its lock.
+/// Python, looking on at work that goes on without its lock, and what a callback is told of it.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -48,8 +47,13 @@ class Spectator {
   /// Raise again what has ended the work, if anything but Ctrl-C has.
   void rethrow() const;
 
+  /// The same, and for Ctrl-C mesopix.Interrupted(text, result).
+  void conclude(const std::string& text, const py::object& result) const;
+
  private:
   [[nodiscard]] bool is_due();
+  /// Look for signals, then tell.   @return whether the work may go on.
+  bool ask(const std::function<void()>& tell);
 
   py::object progress_;
   std::optional<py::error_already_set> raised_;

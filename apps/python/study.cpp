@@ -67,15 +67,11 @@ void close(const Breakings& breakings) {
 }
 
 void study_conclude(const BreakingsPointer& breakings, const Wanted& wanted, const Spectator& spectator) {
-  spectator.rethrow();
   const app::StudyTally& tally = breakings->whole.tally;
-  if (spectator.interrupted())
-    raise_with(
-        "Interrupted",
-        fmt::format("interrupted; {} of {} members are done or have failed, and are kept; the same call "
-                    "goes on",
-                    tally.all - tally.open(), tally.all),
-        py::cast(breakings));
+  spectator.conclude(fmt::format("interrupted; {} of {} members are done or have failed, and are kept; the "
+                                 "same call goes on",
+                                 tally.all - tally.open(), tally.all),
+                     py::cast(breakings));
   if (wanted.share > 0 && tally.open() == 0 && !(breakings->whole.half_width() <= wanted.share))
     raise_with({app::Exit::data,
                 app::complaint("until_ci", fmt::format("{}", wanted.share),
@@ -93,8 +89,7 @@ void check_seeds(const Wanted& wanted, const app::Study& study) {
 BreakingsPointer study(const py::object& input, const py::dict& settings, const py::dict& options,
                        const py::dict& what, const py::object& output, const py::object& jobs,
                        const py::object& until_ci, bool retry, const py::object& progress) {
-  const app::Origins origins{{"-o", {"-o", {}, {}, "output", ""}}};
-  return located(origins, [&] {
+  return located(with_output("output"), [&] {
     const Wanted wanted = wanted_of(jobs, until_ci, retry);
     const app::StudyFolder folder(path_text(output));
     StudyWish wish = read_wish({input, settings, options, what}, folder.path());
@@ -120,10 +115,9 @@ BreakingsPointer study(const py::object& input, const py::dict& settings, const 
 
 const Breakings& breakings_of(const py::object& self) { return self.cast<const Breakings&>(); }
 
-py::array column(const std::vector<double>& values, const py::object& owner) { return view(values, owner); }
-py::array column(const std::vector<std::int64_t>& values, const py::object& owner) {
-  return frozen_view(py::dtype::of<std::int64_t>(), {static_cast<py::ssize_t>(values.size())},
-                     {sizeof(std::int64_t)}, values.data(), owner);
+template <class T>
+py::array column(const std::vector<T>& values, const py::object& owner) {
+  return view(values, owner);
 }
 py::array column(const std::vector<std::string>& values, const py::object& /*owner*/) {
   return py::module_::import("numpy").attr("array")(py::cast(values), py::arg("dtype") = "object");
@@ -144,10 +138,9 @@ py::dict units(const Breakings& breakings) {
 }
 
 py::list study_curves(const py::object& self) {
-  const py::object type = py::module_::import("mesopix.results").attr("Curve");
   py::list all;
   for (const app::Curve& curve : breakings_of(self).whole.results->curves)
-    all.append(curve.x.empty() ? py::object(py::none()) : type(view(curve.x, self), view(curve.y, self)));
+    all.append(curve.x.empty() ? py::none() : curve_of(view(curve.x, self), view(curve.y, self)));
   return all;
 }
 

@@ -1,6 +1,4 @@
-/// What a study is asked for in Python.
-/// Studies and twins, as Python holds them.
-/// A calibration, as Python holds it.
+/// Runs, studies, twins and calibrations, as Python holds them, and what a study is asked for.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -34,13 +32,16 @@ struct StudyArguments {
 /// @throws app::Rejected.
 [[nodiscard]] StudyWish read_wish(const StudyArguments& arguments, const std::filesystem::path& folder);
 
+/// simulate, read_result and the class Result.
+void bind_run(py::module_& module);
+
 /// study and the class Study.
-void bind_study(pybind11::module_& module);
+void bind_study(py::module_& module);
 
 /// twin and the class Twins.
-void bind_twins(pybind11::module_& module);
+void bind_twins(py::module_& module);
 
 /// calibrate and the class Calibration.
-void bind_fit(pybind11::module_& module);
+void bind_fit(py::module_& module);
 
 }  // namespace binding

@@ -127,11 +127,8 @@ app::StudyPlan plan_of(const py::dict& wanted, const fs::path& folder) {
 }
 
 StudyWish of_scene(const StudyArguments& arguments, const fs::path& folder) {
-  Broken broken =
-      broken_of(arguments.input, assignments(app::offer_of_simulate(), arguments.settings, arguments.options),
-                [](const std::string& path, std::vector<app::Assignment> given) {
-                  return app::resolve_input("INPUT", path, std::move(given));
-                });
+  Broken broken = broken_of(
+      arguments.input, assignments(app::offer_of_simulate(), arguments.settings, arguments.options), "INPUT");
   StudyWish wish;
   app::Settings& settings = broken.resolved.settings;
   if (broken.given) {

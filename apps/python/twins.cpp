@@ -32,22 +32,14 @@ using FamilyPointer = std::shared_ptr<Family>;
 
 app::TwinWish twins_wish_of(const py::dict& wanted) {
   app::TwinWish wish;
-  const auto set = [&](const char* name, std::string& text, const char* unit = "") {
-    const py::object value = wanted[name];
-    if (!value.is_none()) text = option_text(value, unit);
-  };
-  set("count", wish.count);
-  set("seed", wish.seed);
-  set("twin_width", wish.width, "m");
-  set("twin_height", wish.height, "m");
-  set("twin_pixel_size", wish.pixel_size, "m");
-  set("gap", wish.gap, "m");
-  set("border", wish.border);
+  take(wanted, "count", wish.count);
+  take(wanted, "seed", wish.seed);
+  take(wanted, "twin_width", wish.width, "m");
+  take(wanted, "twin_height", wish.height, "m");
+  take(wanted, "twin_pixel_size", wish.pixel_size, "m");
+  take(wanted, "gap", wish.gap, "m");
+  take(wanted, "border", wish.border);
   return wish;
-}
-
-app::Resolved resolve_original(const std::string& path, std::vector<app::Assignment> given) {
-  return app::resolve_input("PICTURE", path, std::move(given));
 }
 
 app::TwinTask task_of(const py::object& input, const Broken& broken, const app::TwinWish& wish,
@@ -77,12 +69,9 @@ FamilyPointer twin(const py::object& input, const py::dict& settings, const py::
     (void)twin_options(read);
     return read;
   });
-  const Broken broken = located({}, [&] {
-    return broken_of(input, assignments(app::offer_of_twin(), settings, options), resolve_original);
-  });
-  app::Origins origins = broken.resolved.origins;
-  origins["-o"] = {"-o", {}, {}, "output", ""};
-  return located(origins, [&] {
+  const Broken broken = located(
+      {}, [&] { return broken_of(input, assignments(app::offer_of_twin(), settings, options), "PICTURE"); });
+  return located(with_output("output", broken.resolved.origins), [&] {
     std::vector<std::string> notes;
     const app::TwinTask task = task_of(input, broken, wish, notes);
     const app::FreshFolder folder(app::make_run_folder(path_text(output), "", overwrite));
@@ -96,12 +85,10 @@ FamilyPointer twin(const py::object& input, const py::dict& settings, const py::
                                                write_twin_statistics(folder.path(), task, twins, notes)});
       for (const app::TwinRecord& one : twins) family->files.push_back(one.file);
     }
-    spectator.rethrow();
-    if (spectator.interrupted() || !family)
-      raise_with("Interrupted",
-                 family ? "interrupted; the twins that were made are in .result"
-                        : "interrupted before a twin was made",
-                 family ? py::cast(family) : py::none());
+    const std::string text = family ? "interrupted; the twins that were made are in .result"
+                                    : "interrupted before a twin was made";
+    spectator.conclude(text, family ? py::cast(family) : py::none());
+    if (!family) raise_with("Interrupted", text, py::none());
     return family;
   });
 }

@@ -15,8 +15,6 @@
 namespace binding {
 namespace {
 
-namespace py = pybind11;
-
 [[noreturn]] void refuse(const std::string& value, const char* allowed, const char* cure = "") {
   throw app::Rejected(app::Exit::data, app::complaint("image", value, allowed, cure));
 }
@@ -89,6 +87,8 @@ py::dtype type_of(T mpm::HistoryRow::*) {
   return py::dtype::of<T>();
 }
 
+}  // namespace
+
 py::dtype history_type() {
   py::list names, formats, offsets;
   for (const mpm::HistoryColumn& column : mpm::history_columns()) {
@@ -103,8 +103,6 @@ py::dtype history_type() {
   return {std::move(names), std::move(formats), std::move(offsets), sizeof(mpm::HistoryRow)};
 }
 
-}  // namespace
-
 py::array frozen_view(const py::dtype& type, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                       const void* data, const py::object& owner) {
   py::array array(type, std::move(shape), std::move(strides), data, owner);
@@ -112,14 +110,8 @@ py::array frozen_view(const py::dtype& type, std::vector<py::ssize_t> shape, std
   return array;
 }
 
-py::array view(const std::vector<double>& numbers, const py::object& owner) {
-  return frozen_view(py::dtype::of<double>(), {static_cast<py::ssize_t>(numbers.size())}, {sizeof(double)},
-                     numbers.data(), owner);
-}
-
-py::array view(const std::vector<mpm::HistoryRow>& history, const py::object& owner) {
-  return frozen_view(history_type(), {static_cast<py::ssize_t>(history.size())}, {sizeof(mpm::HistoryRow)},
-                     history.data(), owner);
+py::object curve_of(const py::object& strain, const py::object& stress) {
+  return py::module_::import("mesopix.results").attr("Curve")(strain, stress);
 }
 
 }  // namespace binding

@@ -1,5 +1,4 @@
-/// Pictures that are arrays.
-/// NumPy arrays that show memory of C++, without a copy.
+/// NumPy arrays as pictures, and such that show memory of C++ without a copy.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -12,15 +11,15 @@
 
 namespace binding {
 
+namespace py = pybind11;
+
 /// @param image  labels or grey of shape (rows, cols), or RGB of shape (rows, cols, 3) and 8 bits; row 0 on
 /// top.
 /// @throws app::Rejected for another shape or type, and for values that are not finite.
-[[nodiscard]] specimen::Picture picture_of(const pybind11::object& image);
+[[nodiscard]] specimen::Picture picture_of(const py::object& image);
 
 /// SHA-256 of its pixels.
 [[nodiscard]] std::string digest_of(const specimen::Picture& picture);
-
-namespace py = pybind11;
 
 /// Of memory that `owner` keeps; the array keeps the owner alive, and is read-only.
 [[nodiscard]] py::array frozen_view(const py::dtype& type, std::vector<py::ssize_t> shape,
@@ -44,9 +43,17 @@ template <class T>
                      lattice.data(), owner);
 }
 
-[[nodiscard]] py::array view(const std::vector<double>& numbers, const py::object& owner);
+/// Shape (values).
+template <class T>
+[[nodiscard]] py::array view(const std::vector<T>& values, const py::object& owner,
+                             const py::dtype& type = py::dtype::of<T>()) {
+  return frozen_view(type, {static_cast<py::ssize_t>(values.size())}, {sizeof(T)}, values.data(), owner);
+}
 
-/// A structured array with the columns of the history, by their names.
-[[nodiscard]] py::array view(const std::vector<mpm::HistoryRow>& history, const py::object& owner);
+/// Of a row of the history: its columns by their names.
+[[nodiscard]] py::dtype history_type();
+
+/// mesopix.Curve: strain [-] and stress [Pa].
+[[nodiscard]] py::object curve_of(const py::object& strain, const py::object& stress);
 
 }  // namespace binding
