@@ -180,7 +180,7 @@ TEST_F(RunFolder, NamesAFolderThatCannotBeMade) {
 }
 
 TEST_F(RunFolder, NamesTheFilesThatCannotBeWrittenAndWritesAllOthers) {
-  const FakeRun run = impact_run(30);
+  const FakeRun run = impact_run(8);
   write_run(folder_, run.record());
   const std::set<std::string> all = names();
   for (const std::string& blocked : all) {
