@@ -1,5 +1,5 @@
 # The script and the style of the report page become part of the program: a page needs nothing beside itself.
-set(page_files third_party/uPlot.min.css third_party/uPlot.iife.min.js third_party/gifenc.js bytes.js charts.js film.js save.js report.js watch.js)
+set(page_files third_party/uPlot.min.css third_party/uPlot.iife.min.js third_party/gifenc.js report.css bytes.js charts.js film.js save.js report.js watch.js)
 foreach(file ${page_files})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/page/${file})
   get_filename_component(name ${file} NAME_WE)
@@ -9,4 +9,6 @@ foreach(file ${page_files})
   endif()
   file(READ report/page/${file} page_${name})
 endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/glossary.md)
+file(READ ${PROJECT_SOURCE_DIR}/docs/glossary.md page_glossary)
 configure_file(${CMAKE_CURRENT_SOURCE_DIR}/report/page_files.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp @ONLY)

@@ -76,6 +76,8 @@ struct Fact {
 /// Style sheet: light and dark by the reader's setting, phones, print.
 [[nodiscard]] std::string report_style();
 
+[[nodiscard]] std::string_view page_style();         ///< CSS of the page, but for its inks
+[[nodiscard]] std::string_view glossary_page();      ///< docs/glossary.md
 [[nodiscard]] std::string_view chart_style();        ///< CSS of uPlot
 [[nodiscard]] std::string_view chart_library();      ///< uPlot: defines uPlot
 [[nodiscard]] std::string_view animation_library();  ///< gifenc, a CommonJS module: fills `exports`
