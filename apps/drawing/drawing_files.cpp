@@ -6,13 +6,46 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 
 #include "apps/text/markup.hpp"
 
-namespace output::cairo {
+namespace output {
 namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+
+/// @throws std::runtime_error for what the library says went wrong.
+void require(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(std::string("picture: cannot be drawn: ") + cairo_status_to_string(status));
+}
+
+/// What the library writes, as bytes.
+cairo_status_t append(void* text, const unsigned char* data, unsigned int size) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// A picture, one pixel a pixel.
+Surface surface_of(const specimen::Raster<specimen::Rgb>& picture) {
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.cols, picture.rows),
+                  cairo_surface_destroy);
+  require(cairo_surface_status(surface.get()));
+  cairo_surface_flush(surface.get());
+  unsigned char* pixels = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int row = 0; row < picture.rows; ++row)
+    for (int col = 0; col < picture.cols; ++col) {
+      const specimen::Rgb colour = picture(row, col);
+      const std::uint32_t value = std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
+      std::memcpy(pixels + static_cast<std::ptrdiff_t>(row) * stride + 4 * col, &value, sizeof value);
+    }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
 
 void dip(cairo_t* pen, specimen::Rgb colour) {
   cairo_set_source_rgb(pen, colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
@@ -87,35 +120,8 @@ struct Draw {
   }
 };
 
-}  // namespace
-
-void require(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error(std::string("picture: cannot be drawn: ") + cairo_status_to_string(status));
-}
-
-cairo_status_t append(void* text, const unsigned char* data, unsigned int size) {
-  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
-  return CAIRO_STATUS_SUCCESS;
-}
-
-Surface surface_of(const specimen::Raster<specimen::Rgb>& picture) {
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.cols, picture.rows),
-                  cairo_surface_destroy);
-  require(cairo_surface_status(surface.get()));
-  cairo_surface_flush(surface.get());
-  unsigned char* pixels = cairo_image_surface_get_data(surface.get());
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  for (int row = 0; row < picture.rows; ++row)
-    for (int col = 0; col < picture.cols; ++col) {
-      const specimen::Rgb colour = picture(row, col);
-      const std::uint32_t value = std::uint32_t{colour.r} << 16 | std::uint32_t{colour.g} << 8 | colour.b;
-      std::memcpy(pixels + static_cast<std::ptrdiff_t>(row) * stride + 4 * col, &value, sizeof value);
-    }
-  cairo_surface_mark_dirty(surface.get());
-  return surface;
-}
-
+/// Draws on white paper with a margin on every side [px of the drawing].
+/// @param scale  units of the surface per px of the drawing.
 void draw(cairo_surface_t* surface, const Drawing& drawing, double scale, double margin) {
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(surface), cairo_destroy);
   cairo_set_source_rgb(pen.get(), 1, 1, 1);
@@ -127,32 +133,27 @@ void draw(cairo_surface_t* surface, const Drawing& drawing, double scale, double
   require(cairo_status(pen.get()));
 }
 
-}  // namespace output::cairo
-
-namespace output {
-namespace {
-
 std::string encode(cairo_surface_t* surface) {
   std::string bytes;
-  cairo::require(cairo_surface_write_to_png_stream(surface, cairo::append, &bytes));
+  require(cairo_surface_write_to_png_stream(surface, append, &bytes));
   return bytes;
 }
 
 }  // namespace
 
 std::string png_of(const Drawing& drawing, double scale, double margin) {
-  const cairo::Surface surface(
+  const Surface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                  static_cast<int>(std::lround(scale * (drawing.width + 2 * margin))),
                                  static_cast<int>(std::lround(scale * (drawing.height + 2 * margin)))),
       cairo_surface_destroy);
-  cairo::require(cairo_surface_status(surface.get()));
-  cairo::draw(surface.get(), drawing, scale, margin);
+  require(cairo_surface_status(surface.get()));
+  draw(surface.get(), drawing, scale, margin);
   return encode(surface.get());
 }
 
 std::string png_of(const specimen::Raster<specimen::Rgb>& picture) {
-  return encode(cairo::surface_of(picture).get());
+  return encode(surface_of(picture).get());
 }
 
 std::string vector_file(const Drawing& drawing, VectorFormat format, double margin) {
@@ -161,20 +162,19 @@ std::string vector_file(const Drawing& drawing, VectorFormat format, double marg
   const double height = points_per_px * (drawing.height + 2 * margin);
   std::string bytes;
   {
-    const cairo::Surface surface(
-        format == VectorFormat::svg
-            ? cairo_svg_surface_create_for_stream(cairo::append, &bytes, width, height)
-            : cairo_pdf_surface_create_for_stream(cairo::append, &bytes, width, height),
-        cairo_surface_destroy);
-    cairo::require(cairo_surface_status(surface.get()));
+    const Surface surface(format == VectorFormat::svg
+                              ? cairo_svg_surface_create_for_stream(append, &bytes, width, height)
+                              : cairo_pdf_surface_create_for_stream(append, &bytes, width, height),
+                          cairo_surface_destroy);
+    require(cairo_surface_status(surface.get()));
     if (format == VectorFormat::pdf) {
       cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawing.title.c_str());
       cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                      "");  // not the time of day
     }
-    cairo::draw(surface.get(), drawing, points_per_px, margin);
+    draw(surface.get(), drawing, points_per_px, margin);
     cairo_surface_finish(surface.get());
-    cairo::require(cairo_surface_status(surface.get()));
+    require(cairo_surface_status(surface.get()));
   }
   return bytes;
 }

@@ -1,6 +1,4 @@
-/// Inclusions as a table.
-/// Regions of interest of ImageJ and Fiji.
-/// Archives in the format ZIP.
+/// Inclusions as a table, and as regions of interest of ImageJ and Fiji in an archive.
 #pragma once
 
 #include <string>

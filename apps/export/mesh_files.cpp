@@ -10,34 +10,52 @@
 namespace exchange {
 namespace {
 
+/// What every file says of its mesh.   @param mark  of a comment, on all lines but the first.
+std::string words_on(const PixelMesh& mesh, const char* mark) {
+  return fmt::format(
+      "Specimen of mesopix, {0} x {1} pixels of {2} m\n"
+      "{3}Lengths are in metres. The origin is the bottom left corner, x points right, y points up.\n"
+      "{3}Pixel (row, column), counted from 0 at the top left, is element row * {0} + column + 1.\n"
+      "{3}Void pixels have no element, and nodes amid void are left out.\n",
+      mesh.cols(), mesh.rows(), length_text(mesh.mask().pixel_size), mark);
+}
+
+std::vector<std::string> phase_names(const PixelMesh& mesh) {
+  std::vector<std::string> names;
+  for (const MeshPhase& phase : mesh.phases()) names.push_back(phase.name);
+  return names;
+}
+
+/// @param see  takes the number of a node and its coordinates as text.
+template <class See>
+void each_node(const PixelMesh& mesh, const See& see) {
+  const std::vector<std::string> x = mesh.x_texts(), y = mesh.y_texts();
+  mesh.for_each_node([&](MeshNode node) {
+    see(mesh.number(node), x[static_cast<std::size_t>(node.col)], y[static_cast<std::size_t>(node.line)]);
+  });
+}
+
+/// A line an element: its number and those of its corners.
+void write_elements(TextStream& file, const PixelMesh& mesh, const MeshPhase& phase, const char* separator) {
+  mesh.for_each_element(phase, [&](int row, int col) {
+    file << mesh.element(row, col);
+    for (const std::int64_t node : mesh.corners(row, col)) file << separator << node;
+    file << "\n";
+  });
+}
+
 void write_heading(TextStream& file, const PixelMesh& mesh, const std::vector<std::string>& sets) {
-  file << fmt::format(
-      "*HEADING\n"
-      "Specimen of mesopix, {} x {} pixels of {} m\n"
-      "** Lengths are in metres. The origin is the bottom left corner, x points right, y points up.\n"
-      "** Pixel (row, column), counted from 0 at the top left, is element row * {} + column + 1.\n"
-      "** Void pixels have no element, and nodes amid void are left out.\n"
-      "** Before an analysis, give every element set a material and a section, for instance:\n",
-      mesh.cols(), mesh.rows(), length_text(mesh.mask().pixel_size), mesh.cols());
+  file << "*HEADING\n"
+       << words_on(mesh, "** ")
+       << "** Before an analysis, give every element set a material and a section, for instance:\n";
   for (const std::string& set : sets)
     file << fmt::format("**   *MATERIAL, NAME=M_{0}\n**   *SOLID SECTION, ELSET={0}, MATERIAL=M_{0}\n", set);
 }
 
 void write_node_block(TextStream& file, const PixelMesh& mesh) {
-  const std::vector<std::string> x = mesh.x_texts();
-  const std::vector<std::string> y = mesh.y_texts();
   file << "*NODE\n";
-  mesh.for_each_node([&](MeshNode node) {
-    file << mesh.number(node) << ", " << x[static_cast<std::size_t>(node.col)] << ", "
-         << y[static_cast<std::size_t>(node.line)] << "\n";
-  });
-}
-
-void write_elements(TextStream& file, const PixelMesh& mesh, const MeshPhase& phase) {
-  mesh.for_each_element(phase, [&](int row, int col) {
-    file << mesh.element(row, col);
-    for (const std::int64_t node : mesh.corners(row, col)) file << ", " << node;
-    file << "\n";
+  each_node(mesh, [&](std::int64_t number, const std::string& x, const std::string& y) {
+    file << number << ", " << x << ", " << y << "\n";
   });
 }
 
@@ -51,11 +69,7 @@ void write_node_set(TextStream& file, Edge edge, const std::vector<std::int64_t>
 
 }  // namespace
 
-std::vector<std::string> element_sets(const PixelMesh& mesh) {
-  std::vector<std::string> phases;
-  for (const MeshPhase& phase : mesh.phases()) phases.push_back(phase.name);
-  return set_names(phases);
-}
+std::vector<std::string> element_sets(const PixelMesh& mesh) { return set_names(phase_names(mesh)); }
 
 void write_abaqus(const std::string& path, const PixelMesh& mesh, PlaneElement plane) {
   const std::vector<std::string> sets = element_sets(mesh);
@@ -65,7 +79,7 @@ void write_abaqus(const std::string& path, const PixelMesh& mesh, PlaneElement p
     write_node_block(file, mesh);
     for (std::size_t k = 0; k < sets.size(); ++k) {
       file << "*ELEMENT, TYPE=" << type << ", ELSET=" << sets[k] << "\n";
-      write_elements(file, mesh, mesh.phases()[k]);
+      write_elements(file, mesh, mesh.phases()[k], ", ");
     }
     for (const Edge edge : edges) write_node_set(file, edge, mesh.nodes_on(edge));
   });
@@ -94,15 +108,7 @@ std::vector<Curve> curves_of(const PixelMesh& mesh) {
 }
 
 void write_header(TextStream& file, const PixelMesh& mesh) {
-  file << fmt::format(
-      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
-      "$Comments\n"
-      "Specimen of mesopix, {} x {} pixels of {} m\n"
-      "Lengths are in metres. The origin is the bottom left corner, x points right, y points up.\n"
-      "Pixel (row, column), counted from 0 at the top left, is element row * {} + column + 1.\n"
-      "Void pixels have no element, and nodes amid void are left out.\n"
-      "$EndComments\n",
-      mesh.cols(), mesh.rows(), length_text(mesh.mask().pixel_size), mesh.cols());
+  file << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n" << words_on(mesh, "") << "$EndComments\n";
 }
 
 void write_physical_names(TextStream& file, const PixelMesh& mesh, const std::vector<Curve>& curves) {
@@ -135,11 +141,8 @@ void write_node_section(TextStream& file, const PixelMesh& mesh) {
   file << fmt::format("$Nodes\n1 {0} {1} {2}\n2 {3} 0 {0}\n", mesh.nodes(), first, last,
                       mesh.phases().front().label);
   mesh.for_each_node([&](MeshNode node) { file << mesh.number(node) << "\n"; });
-  const std::vector<std::string> x = mesh.x_texts();
-  const std::vector<std::string> y = mesh.y_texts();
-  mesh.for_each_node([&](MeshNode node) {
-    file << x[static_cast<std::size_t>(node.col)] << " " << y[static_cast<std::size_t>(node.line)] << " 0\n";
-  });
+  each_node(mesh,
+            [&](int64_t, const std::string& x, const std::string& y) { file << x << " " << y << " 0\n"; });
   file << "$EndNodes\n";
 }
 
@@ -154,11 +157,7 @@ void write_lines(TextStream& file, const std::vector<Curve>& curves, int64_t num
 void write_quadrangles(TextStream& file, const PixelMesh& mesh) {
   for (const MeshPhase& phase : mesh.phases()) {
     file << fmt::format("2 {} {} {}\n", phase.label, quadrangle_of_four_nodes, phase.elements);
-    mesh.for_each_element(phase, [&](int row, int col) {
-      file << mesh.element(row, col);
-      for (const int64_t node : mesh.corners(row, col)) file << " " << node;
-      file << "\n";
-    });
+    write_elements(file, mesh, phase, " ");
   }
 }
 
@@ -175,11 +174,7 @@ void write_elements(TextStream& file, const PixelMesh& mesh, const std::vector<C
 
 }  // namespace
 
-std::vector<std::string> physical_surfaces(const PixelMesh& mesh) {
-  std::vector<std::string> phases;
-  for (const MeshPhase& phase : mesh.phases()) phases.push_back(phase.name);
-  return group_names(phases);
-}
+std::vector<std::string> physical_surfaces(const PixelMesh& mesh) { return group_names(phase_names(mesh)); }
 
 void write_gmsh(const std::string& path, const PixelMesh& mesh) {
   const std::vector<Curve> curves = curves_of(mesh);

@@ -1,6 +1,5 @@
-/// Meshes for Abaqus and CalculiX.
-/// Meshes for Gmsh, and for what reads its files (meshio, FEniCSx, MOOSE, ...).
-/// Images for ParaView and other programs of VTK.
+/// Meshes for Abaqus and CalculiX, for Gmsh and what reads its files (meshio, FEniCSx, MOOSE, ...), and
+/// images for ParaView and other programs of VTK.
 #pragma once
 
 #include <string>

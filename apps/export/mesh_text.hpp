@@ -1,5 +1,4 @@
-/// Text files too large to be held in memory.
-/// Names of phases as the formats of meshes allow them.
+/// What files of meshes are written with: text too large to be held in memory, numbers, names of phases.
 #pragma once
 
 #include <cstdint>
