@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <iterator>
+#include <utility>
 
 #include "apps/system/job_pool.hpp"
 #include "apps/text/complaint.hpp"
@@ -66,11 +66,19 @@ namespace {
 
 std::vector<StabilityCase> all_cases() {
   std::vector<StabilityCase> cases;
-  for (auto* group : {material_cases, strength_cases, geometry_cases, point_cases, time_step_cases,
-                      loading_cases, motion_cases, turning_cases, number_cases}) {
-    std::vector<StabilityCase> some = group();
-    std::move(some.begin(), some.end(), std::back_inserter(cases));
-  }
+  using CasesOf = std::vector<StabilityCase> (*)();
+  for (const auto& [group, cases_of] : {std::pair<const char*, CasesOf>{"Materials", material_cases},
+                                        {"Strength", strength_cases},
+                                        {"Pictures", geometry_cases},
+                                        {"Points", point_cases},
+                                        {"Time step", time_step_cases},
+                                        {"Loading", loading_cases},
+                                        {"Motion", motion_cases},
+                                        {"Numbers", number_cases}})
+    for (StabilityCase& one : cases_of()) {
+      one.group = group;
+      cases.push_back(std::move(one));
+    }
   return cases;
 }
 

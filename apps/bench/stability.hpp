@@ -1,6 +1,3 @@
-/// A case of the bench of limits: what is done, and what must come of it.
-/// The cases by group.
-/// All cases of the bench of limits.
 /// The bench of limits: runs at the edge of what the solver bears, each with what must come of it.
 #pragma once
 
@@ -19,19 +16,19 @@ struct Finding {
 
 struct StabilityCase {
   std::string name;              ///< as it is asked for, e.g. "contrast"
-  std::string group;             ///< heading under which it stands
   std::string must;              ///< what must happen, in words
   std::function<Finding()> run;  ///< on the thread that calls; what it throws is a failure
+  std::string group = {};        ///< heading under which it stands
 };
 
+/// The cases by group, which does not stand in them yet.
 [[nodiscard]] std::vector<StabilityCase> material_cases();   ///< stiffness, Poisson's ratio, density
 [[nodiscard]] std::vector<StabilityCase> strength_cases();   ///< what fails, down to the last point
 [[nodiscard]] std::vector<StabilityCase> geometry_cases();   ///< pictures at their extremes
 [[nodiscard]] std::vector<StabilityCase> point_cases();      ///< points a cell, and where they stand in it
 [[nodiscard]] std::vector<StabilityCase> time_step_cases();  ///< on both sides of the critical step
 [[nodiscard]] std::vector<StabilityCase> loading_cases();    ///< speed and ramp of the platen
-[[nodiscard]] std::vector<StabilityCase> motion_cases();     ///< points that move
-[[nodiscard]] std::vector<StabilityCase> turning_cases();    ///< and turn
+[[nodiscard]] std::vector<StabilityCase> motion_cases();     ///< points that move, meet and turn
 [[nodiscard]] std::vector<StabilityCase> number_cases();     ///< precision, and numbers that are hardly any
 
 /// In the order in which they are reported, those of a group one after the other; no name comes twice.

@@ -1,4 +1,4 @@
-#include "apps/bench/stability_motion.hpp"
+#include "apps/bench/stability_scenes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/bench/stability.hpp"
 #include "apps/bench/stability_scenes.hpp"
 
 namespace app::bench {
@@ -86,11 +85,10 @@ Finding stepwise() {
 }  // namespace
 
 std::vector<StabilityCase> loading_cases() {
-  const std::string group = "Loading";
   return {
-      {"slow", group, "1e-4 m/s: as good as static, whole and breaking", slow},
-      {"fast", group, "100 m/s: rho c v behind the front of the wave, nothing ahead; concrete breaks", fast},
-      {"stepwise", group, "full speed at once: the staircase of a struck bar", stepwise},
+      {"slow", "1e-4 m/s: as good as static, whole and breaking", slow},
+      {"fast", "100 m/s: rho c v behind the front of the wave, nothing ahead; concrete breaks", fast},
+      {"stepwise", "full speed at once: the staircase of a struck bar", stepwise},
   };
 }
 

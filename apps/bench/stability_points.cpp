@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/bench/stability.hpp"
-#include "apps/bench/stability_motion.hpp"
 #include "apps/bench/stability_scenes.hpp"
 #include "libmpm/solver/lattice/cell_limit.hpp"
 
@@ -110,15 +108,13 @@ Finding beside_a_node_in_void() {
 }  // namespace
 
 std::vector<StabilityCase> point_cases() {
-  const std::string group = "Points";
   return {
-      {"one-point-a-cell", group, "one point a cell: E / (1 - nu^2), energies that close while it breaks",
+      {"one-point-a-cell", "one point a cell: E / (1 - nu^2), energies that close while it breaks",
        one_per_cell},
-      {"twenty-points-a-cell", group, "twenty points a cell, sixteen at any place: the same",
-       twenty_per_cell},
-      {"point-on-a-node", group,
-       "a point on every node, corners too: E / (1 - nu^2), on the lattice and moving", on_a_node},
-      {"point-beside-a-node", group,
+      {"twenty-points-a-cell", "twenty points a cell, sixteen at any place: the same", twenty_per_cell},
+      {"point-on-a-node", "a point on every node, corners too: E / (1 - nu^2), on the lattice and moving",
+       on_a_node},
+      {"point-beside-a-node",
        "a limit: a point alone in void beside a node bears next to no step; it is stopped, named, and told a "
        "CFL "
        "that is safe",

@@ -27,6 +27,10 @@ Judge& Judge::near(const std::string& what, double value, double exact, double t
                                             value, exact, off, tolerance));
 }
 
+Judge& Judge::no_trouble(const std::string& trouble, std::int64_t steps) {
+  return must(trouble.empty(), trouble.empty() ? fmt::format("{} steps", steps) : trouble);
+}
+
 Judge& Judge::below(const std::string& what, double value, double limit) {
   return must(value <= limit, fmt::format("{} {:.3g} (at most {:.3g})", what, value, limit));
 }
@@ -76,11 +80,22 @@ mpm::Scene unbreakable(mpm::Scene scene) {
   return scene;
 }
 
-void checkerboard(mpm::Scene& scene, const mpm::Phase& other) {
-  scene.phases.resize(second);
+mpm::Scene scaled(mpm::Scene scene, double s, double r) {
+  for (auto& phase : scene.phases) {
+    if (!phase) continue;
+    for (double* stress : {&phase->young, &phase->tensile_scale, &phase->cohesion}) *stress *= s;
+    phase->density *= r;
+  }
+  scene.loading.velocity *= std::sqrt(s / r);
+  return scene;
+}
+
+mpm::Scene checkerboard(const mpm::Phase& one, const mpm::Phase& other) {
+  mpm::Scene scene = block(16, 16, one);
   scene.phases.emplace_back(other);
-  for (int row = 0; row < scene.labels.rows(); ++row)
-    for (int col = row % 2; col < scene.labels.cols(); col += 2) scene.labels(row, col) = second;
+  for (int row = 0; row < 16; ++row)
+    for (int col = row % 2; col < 16; col += 2) scene.labels(row, col) = second;
+  return scene;
 }
 
 void load_slowly(mpm::Scene& scene, double strain, double transits) {
@@ -125,5 +140,40 @@ Attempt attempt(const mpm::Scene& scene, const mpm::Plan& plan) {
 }
 
 Attempt attempt(const mpm::Scene& scene) { return attempt(scene, mpm::plan(scene)); }
+
+mpm::Scene sky(int rows, int cols) {
+  mpm::Scene scene = block(rows, cols, elastic(1e7, 0, 1000));
+  scene.labels.setConstant(0);
+  scene.pixel_size = 0.05;
+  scene.kinematics = mpm::Kinematics::moving;
+  scene.loading = {};
+  scene.loading.direction = mpm::Direction::none;
+  scene.loading.duration = 1e6;
+  return scene;
+}
+
+void add_disc(mpm::Scene& scene, double x, double y, double radius) {
+  for (int row = 0; row < scene.labels.rows(); ++row)
+    for (int col = 0; col < scene.labels.cols(); ++col)
+      if (std::hypot(col + 0.5 - x, static_cast<double>(scene.labels.rows()) - row - 0.5 - y) <= radius)
+        scene.labels(row, col) = first;
+}
+
+Sums sums_of(const std::vector<mpm::PointView>& points) {
+  Sums sums;
+  for (const mpm::PointView& p : points) {
+    sums.mass += p.mass;
+    sums.px += p.mass * p.vx;
+    sums.py += p.mass * p.vy;
+    sums.x += p.mass * p.x;
+    sums.y += p.mass * p.y;
+    sums.kinetic += 0.5 * p.mass * (p.vx * p.vx + p.vy * p.vy);
+  }
+  sums.x /= sums.mass;
+  sums.y /= sums.mass;
+  for (const mpm::PointView& p : points)
+    sums.spin += p.mass * ((p.x - sums.x) * p.vy - (p.y - sums.y) * p.vx);
+  return sums;
+}
 
 }  // namespace app::bench

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/bench/stability.hpp"
 #include "apps/bench/stability_scenes.hpp"
 #include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/material/failure.hpp"
@@ -143,18 +142,16 @@ Finding extreme_draws() {
 }  // namespace
 
 std::vector<StabilityCase> strength_cases() {
-  const std::string group = "Strength";
   return {
-      {"residual-stiffness", group, "0 and 1e-12 of the stiffness left: the same peak, energies that close",
+      {"residual-stiffness", "0 and 1e-12 of the stiffness left: the same peak, energies that close",
        residual_stiffness},
-      {"single-live-point", group, "one point between ghosts: it carries E / (1 - nu^2) times strain",
+      {"single-live-point", "one point between ghosts: it carries E / (1 - nu^2) times strain",
        single_live_point},
-      {"nothing-carries", group,
-       "a specimen that fails altogether: the run says so and ends there, at no stress", nothing_carries},
-      {"weibull", group, "Weibull modulus 0.1 to 100: as many points fail as their draws say",
-       weibull_moduli},
-      {"extreme-draws", group,
-       "the smallest and the largest draw: a strength above 0, and a point that fails there", extreme_draws},
+      {"nothing-carries", "a specimen that fails altogether: the run says so and ends there, at no stress",
+       nothing_carries},
+      {"weibull", "Weibull modulus 0.1 to 100: as many points fail as their draws say", weibull_moduli},
+      {"extreme-draws", "the smallest and the largest draw: a strength above 0, and a point that fails there",
+       extreme_draws},
   };
 }
 

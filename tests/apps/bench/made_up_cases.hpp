@@ -11,15 +11,17 @@ namespace test {
 inline std::vector<app::bench::StabilityCase> made_up_cases() {
   using app::bench::Finding;
   return {
-      {"good", "First", "it holds",
+      {"good", "it holds",
        [] {
          return Finding{true, "0.1 of \"1\", <fine>"};
-       }},
-      {"bad", "First", "it holds",
+       },
+       "First"},
+      {"bad", "it holds",
        [] {
          return Finding{false, "NOT AS IT MUST BE: 3"};
-       }},
-      {"thrown", "Second", "it holds", []() -> Finding { throw std::runtime_error("no memory"); }},
+       },
+       "First"},
+      {"thrown", "it holds", []() -> Finding { throw std::runtime_error("no memory"); }, "Second"},
   };
 }
 
