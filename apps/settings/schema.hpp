@@ -26,12 +26,12 @@ struct FieldOf {
   std::function<Value(const T&)> get;
 };
 
-/// @param access  generic lambda that gives the member of a T, const or not.
+/// @param access  pointer to the member of a T, or a generic lambda that gives it, const or not.
 template <class T, class Codec, class Access>
 FieldOf<T> make_field(std::string key, std::string help, Codec codec, Access access) {
   return {std::move(key), std::move(help), codec.form(),
-          [codec, access](T& object, const Value& value) { access(object) = codec.read(value); },
-          [codec, access](const T& object) { return codec.write(access(object)); }};
+          [codec, access](T& object, const Value& value) { std::invoke(access, object) = codec.read(value); },
+          [codec, access](const T& object) { return codec.write(std::invoke(access, object)); }};
 }
 
 using Field = FieldOf<Settings>;

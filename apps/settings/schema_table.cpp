@@ -302,18 +302,19 @@ std::vector<Field> output_fields() {
 std::vector<PhaseField> properties() {
   const QuantityCodec angle{Dimension::angle, below(0, std::numbers::pi / 2)};
   return {
-      property("young", QuantityCodec{Dimension::pressure, above(0)}, "Young's modulus", MEMBER(young)),
-      property("poisson", ratio(between(0, 0.5)), "Poisson's ratio", MEMBER(poisson)),
-      property("density", QuantityCodec{Dimension::density, above(0)}, "mass density", MEMBER(density)),
+      property("young", QuantityCodec{Dimension::pressure, above(0)}, "Young's modulus", &mpm::Phase::young),
+      property("poisson", ratio(between(0, 0.5)), "Poisson's ratio", &mpm::Phase::poisson),
+      property("density", QuantityCodec{Dimension::density, above(0)}, "mass density", &mpm::Phase::density),
       property("tensile_scale", strength(),
                "Weibull scale of the tensile strength: 63.2 % of the points have less",
-               MEMBER(tensile_scale)),
-      property("cohesion", strength(), "Mohr-Coulomb cohesion", MEMBER(cohesion)),
-      property("friction_angle", angle, "Mohr-Coulomb friction angle", MEMBER(friction_angle)),
+               &mpm::Phase::tensile_scale),
+      property("cohesion", strength(), "Mohr-Coulomb cohesion", &mpm::Phase::cohesion),
+      property("friction_angle", angle, "Mohr-Coulomb friction angle", &mpm::Phase::friction_angle),
       property("weibull_modulus", ratio(above(0)), "scatter of the strengths: small = much",
-               MEMBER(weibull_modulus)),
+               &mpm::Phase::weibull_modulus),
       property("fracture_energy", QuantityCodec{Dimension::energy, above(0), Word{"brittle", 0}},
-               "of a crack, spent as it opens; brittle = points crack at one blow", MEMBER(fracture_energy)),
+               "of a crack, spent as it opens; brittle = points crack at one blow",
+               &mpm::Phase::fracture_energy),
   };
 }
 

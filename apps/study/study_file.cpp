@@ -66,28 +66,21 @@ const std::vector<FieldOf<StudyPlan>>& study_fields() {
   const ChoiceCodec<Sampling> sampling{
       {{"grid", Sampling::grid}, {"latin_hypercube", Sampling::latin_hypercube}, {"sobol", Sampling::sobol}}};
   static const std::vector<FieldOf<StudyPlan>> all{
-      field(
-          "title", TextCodec{}, "of the report", [](auto& plan) -> auto& { return plan.title; }),
-      field(
-          "scene", PathCodec{{"toml"}}, "scene that every member begins with, relative to the study",
-          [](auto& plan) -> auto& { return plan.scene; }),
-      field(
-          "sampling", sampling, "how points fill the space of [vary]; grid by default",
-          [](auto& plan) -> auto& { return plan.sampling; }),
-      field(
-          "samples", IntegerCodec<>{between(1, most_values)}, "points, of all but a grid",
-          [](auto& plan) -> auto& { return plan.samples; }),
-      field(
-          "sampling_seed", IntegerCodec<std::uint64_t>{at_least(0)}, "of a Latin hypercube",
-          [](auto& plan) -> auto& { return plan.sampling_seed; }),
-      field(
-          "seeds", Seeds{}, "seeds that every point is run with: how many, from 1 on, or which",
-          [](auto& plan) -> auto& { return plan.seeds; }),
-      field(
-          "seed_of", SeedTables{},
-          "tables whose seed varies; by default both of damage and generate that the scene "
-          "has, so that each member is another specimen of the same kind",
-          [](auto& plan) -> auto& { return plan.seed_of; }),
+      field("title", TextCodec{}, "of the report", &StudyPlan::title),
+      field("scene", PathCodec{{"toml"}}, "scene that every member begins with, relative to the study",
+            &StudyPlan::scene),
+      field("sampling", sampling, "how points fill the space of [vary]; grid by default",
+            &StudyPlan::sampling),
+      field("samples", IntegerCodec<>{between(1, most_values)}, "points, of all but a grid",
+            &StudyPlan::samples),
+      field("sampling_seed", IntegerCodec<std::uint64_t>{at_least(0)}, "of a Latin hypercube",
+            &StudyPlan::sampling_seed),
+      field("seeds", Seeds{}, "seeds that every point is run with: how many, from 1 on, or which",
+            &StudyPlan::seeds),
+      field("seed_of", SeedTables{},
+            "tables whose seed varies; by default both of damage and generate that the scene "
+            "has, so that each member is another specimen of the same kind",
+            &StudyPlan::seed_of),
   };
   return all;
 }

@@ -74,27 +74,17 @@ bool is_number(const StudyParameter& parameter) {
 }
 
 ReadableUnit readable_unit(const StudyParameter& parameter) {
+  static const std::map<Dimension, ReadableUnit> other_than_si{
+      {Dimension::ratio, {}},
+      {Dimension::length, {"mm", 1e3}},
+      {Dimension::area, {"mm\u00b2", 1e6}},
+      {Dimension::pressure, {"MPa", 1e-6}},
+      {Dimension::angle, {"deg", 180 / std::numbers::pi}},
+      {Dimension::time, {"ms", 1e3}}};
   const Measure* measure = measure_of(parameter);
   if (measure == nullptr) return {};
-  switch (measure->dimension) {
-    case Dimension::ratio:
-      return {};
-    case Dimension::length:
-      return {"mm", 1e3};
-    case Dimension::area:
-      return {"mm\u00b2", 1e6};
-    case Dimension::pressure:
-      return {"MPa", 1e-6};
-    case Dimension::angle:
-      return {"deg", 180 / std::numbers::pi};
-    case Dimension::time:
-      return {"ms", 1e3};
-    case Dimension::velocity:
-    case Dimension::density:
-    case Dimension::energy:
-      break;
-  }
-  return {si_unit(measure->dimension), 1};
+  const auto other = other_than_si.find(measure->dimension);
+  return other == other_than_si.end() ? ReadableUnit{si_unit(measure->dimension), 1} : other->second;
 }
 
 std::string unit_of(const StudyParameter& parameter) {

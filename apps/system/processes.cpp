@@ -1,20 +1,20 @@
 #include "apps/system/processes.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <system_error>
 
 #include "apps/text/complaint.hpp"
@@ -81,67 +81,23 @@ void limit_memory() {
 
 namespace {
 
-/// Both ends are closed with it.
-class Pipe {
- public:
-  Pipe() {
-    if (::pipe2(ends_.data(), 0) != 0)
-      throw Rejected(Exit::io, complaint("pipe", std::strerror(errno), "close other programs"));
-  }
-  ~Pipe() {
-    close_end(0);
-    close_end(1);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  [[nodiscard]] int end(std::size_t which) const { return ends_[which]; }
-  void close_end(std::size_t which) {
-    if (ends_[which] >= 0) ::close(ends_[which]);
-    ends_[which] = -1;
-  }
-
- private:
-  std::array<int, 2> ends_{-1, -1};
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
 };
+using TemporaryFile = std::unique_ptr<std::FILE, Close>;
 
-/// The files that a program begins with.
-class Files {
- public:
-  Files() { posix_spawn_file_actions_init(&actions_); }
-  ~Files() { posix_spawn_file_actions_destroy(&actions_); }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-
-  void read_nothing() { posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0); }
-  void write_into(const Pipe& pipe, int stream) {
-    posix_spawn_file_actions_adddup2(&actions_, pipe.end(1), stream);
-    for (const std::size_t which : {0, 1}) posix_spawn_file_actions_addclose(&actions_, pipe.end(which));
-  }
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-/// @return whether there may be more.
-bool read_some(int from, std::string& text) {
-  std::array<char, 4096> buffer;
-  const ssize_t size = ::read(from, buffer.data(), buffer.size());
-  if (size > 0) text.append(buffer.data(), static_cast<std::size_t>(size));
-  return size > 0 || (size < 0 && errno == EINTR);
+TemporaryFile temporary_file() {
+  TemporaryFile file(std::tmpfile());
+  if (!file) throw Rejected(Exit::io, complaint("temporary file", std::strerror(errno), "make room in /tmp"));
+  return file;
 }
 
-/// Of both at once: a program that waits until one is read would wait for ever.
-void read_both(Pipe& out, Pipe& err, ProgramOutcome& outcome) {
-  std::array<pollfd, 2> watched{{{out.end(0), POLLIN, 0}, {err.end(0), POLLIN, 0}}};
-  while (watched[0].fd >= 0 || watched[1].fd >= 0) {
-    if (::poll(watched.data(), watched.size(), -1) < 0) continue;  // a signal came
-    for (const std::size_t which : {0, 1})
-      if (watched[which].revents != 0 &&
-          !read_some(watched[which].fd, which == 0 ? outcome.out : outcome.err))
-        watched[which].fd = -1;
-  }
+std::string text_of(std::FILE* file) {
+  std::fseek(file, 0, SEEK_END);
+  std::string text(static_cast<std::size_t>(std::max(0L, std::ftell(file))), '\0');
+  std::rewind(file);
+  text.resize(std::fread(text.data(), 1, text.size(), file));
+  return text;
 }
 
 int wait_for(pid_t process) {
@@ -158,22 +114,19 @@ ProgramOutcome run_other_program(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  Pipe out, err;
-  Files files;
-  files.read_nothing();
-  files.write_into(out, STDOUT_FILENO);
-  files.write_into(err, STDERR_FILENO);
+  const TemporaryFile out = temporary_file(), err = temporary_file();
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, ::fileno(out.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, ::fileno(err.get()), STDERR_FILENO);
   pid_t process = 0;
-  if (const int error =
-          ::posix_spawnp(&process, arguments[0], files.get(), nullptr, arguments.data(), environ);
-      error != 0)
+  const int error = ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0)
     throw Rejected(Exit::io, complaint(words[0], std::strerror(error), "must be a program in the PATH"));
-  out.close_end(1);
-  err.close_end(1);
-  ProgramOutcome outcome;
-  read_both(out, err, outcome);
-  outcome.code = wait_for(process);
-  return outcome;
+  const int code = wait_for(process);
+  return {code, text_of(out.get()), text_of(err.get())};
 }
 
 std::string this_program() {

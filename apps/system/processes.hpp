@@ -1,7 +1,4 @@
-/// Ctrl-C ends a run in order.
-/// Less memory than asked for is an error that says so; without a limit the system would end the program, or
-/// another one, without a word.
-/// Other programs, run to their end.
+/// This process and others: signals that end a run in order, the memory it may take, programs that it runs.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +28,9 @@ class InterruptGuard {
 /// empty = none.
 [[nodiscard]] std::uint64_t memory_to_take(std::uint64_t machine, const std::string& container);
 
-/// From here on an allocation beyond the memory there is throws std::bad_alloc. Programs under a sanitizer,
-/// which lays out more addresses than there is memory, keep no limit.
+/// From here on an allocation beyond the memory there is throws std::bad_alloc; without a limit the system
+/// would end the program, or another one, without a word. Programs under a sanitizer, which lays out more
+/// addresses than there is memory, keep no limit.
 void limit_memory();
 
 /// What a program left.

@@ -81,8 +81,6 @@ bool known_anywhere(std::string_view name) {
   return std::any_of(units.begin(), units.end(), [&](const Unit& unit) { return unit.name == name; });
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// A decimal number cut from the front of a text: "[-+]digits[.digits][e[-+]digits]", then the rest.
 struct Numeral {
   std::string mantissa;  ///< without a leading "+"
@@ -90,39 +88,23 @@ struct Numeral {
   std::string_view rest;
 };
 
-std::size_t count_digits(std::string_view text, std::size_t from) {
-  std::size_t to = from;
-  while (to < text.size() && is_digit(text[to])) ++to;
-  return to - from;
-}
-
-/// Exponent at text[at], clipped to a size that is out of range anyway; moves `at` behind it.
-long read_exponent(std::string_view text, std::size_t& at) {
-  if (at >= text.size() || (text[at] != 'e' && text[at] != 'E')) return 0;
-  std::size_t digits = at + 1;
-  if (digits < text.size() && (text[digits] == '-' || text[digits] == '+')) ++digits;
-  const std::size_t n = count_digits(text, digits);
-  if (n == 0) return 0;
-  const long size = n > 6 ? 999999 : std::strtol(std::string(text.substr(digits, n)).c_str(), nullptr, 10);
-  const bool negative = text[at + 1] == '-';
-  at = digits + n;
-  return negative ? -size : size;
-}
-
 std::optional<Numeral> read_numeral(std::string_view text) {
-  std::size_t at = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
-  const std::size_t whole = count_digits(text, at);
-  at += whole;
-  std::size_t decimals = 0;
-  if (at < text.size() && text[at] == '.') {
-    decimals = count_digits(text, at + 1);
-    at += 1 + decimals;
-  }
-  if (whole + decimals == 0) return std::nullopt;
-  Numeral numeral;
-  numeral.mantissa = text.substr(text[0] == '+' ? 1 : 0, at - (text[0] == '+' ? 1 : 0));
-  numeral.exponent = read_exponent(text, at);
-  numeral.rest = trimmed(text.substr(at));
+  const bool has_plus = text.starts_with('+');
+  if (has_plus) text.remove_prefix(1);
+  const std::size_t sign = !has_plus && text.starts_with('-') ? 1 : 0;
+  if (text.substr(sign).find_first_of(".0123456789") != 0) return std::nullopt;  // "inf" and "nan" are words
+  double ignored = 0;
+  const char* end = std::from_chars(text.data(), text.data() + text.size(), ignored).ptr;
+  const auto size = static_cast<std::size_t>(end - text.data());
+  if (size == 0) return std::nullopt;
+  const std::size_t e = std::min(text.find_first_of("eE"), size);
+  Numeral numeral{std::string(text.substr(0, e)), 0, trimmed(text.substr(size))};
+  if (e == size) return numeral;
+  const char* exponent = text.data() + e + (text[e + 1] == '+' ? 2 : 1);
+  const bool fits = std::from_chars(exponent, end, numeral.exponent).ec == std::errc();
+  constexpr long beyond = 999999;  // out of the range of numbers anyway
+  numeral.exponent =
+      !fits ? (text[e + 1] == '-' ? -beyond : beyond) : std::clamp(numeral.exponent, -beyond, beyond);
   return numeral;
 }
 
