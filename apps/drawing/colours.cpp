@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "apps/drawing/ticks.hpp"
+
 namespace output {
 
 using specimen::Rgb;
@@ -171,14 +173,6 @@ class Branch {
   std::array<double, knots> length_{};  ///< of the way to each knot
 };
 
-/// Smallest round number that is not below a positive one.
-double rounded_up(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double factor : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
-    if (factor * power >= value * (1 - 1e-9)) return factor * power;
-  return 10 * power;
-}
-
 double percentile(std::vector<double>& values, double share) {
   const auto place = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + place, values.end());
@@ -201,7 +195,7 @@ ColourScale scale_of(std::vector<double> values) {
   const double above = std::max(percentile(values, 0.99), 0.0);
   const double below = std::max(-percentile(values, 0.01), 0.0);
   if (above == 0 && below == 0) return {0, 1};
-  const double most = rounded_up(std::max(above, below));
+  const double most = rounded_up(std::max(above, below), {1, 1.5, 2, 2.5, 3, 4, 5, 6, 8});
   if (below < 0.1 * above) return {0, most};
   if (above < 0.1 * below) return {-most, 0};
   return {-most, most};

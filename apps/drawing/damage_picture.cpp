@@ -7,19 +7,13 @@
 #include <set>
 
 #include "apps/drawing/picture_parts.hpp"
+#include "apps/drawing/ticks.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/words.hpp"
 #include "specimen/picture/picture.hpp"
 
 namespace output {
 namespace {
-
-double largest_strain(const mpm::Result& result) {
-  double largest = 0;
-  for (const mpm::HistoryRow& row : result.history)
-    if (std::isfinite(row.strain)) largest = std::max(largest, row.strain);
-  return largest;
-}
 
 DamageStage stage_at(const mpm::Result& result, int percent) {
   DamageStage stage{percent, percent / 100.0 * result.peak_strain, 0, 0};

@@ -10,13 +10,7 @@
 namespace output {
 namespace {
 
-/// Smallest of 1, 2, 5 times a power of ten that is not below a width.
-double round_step(double width) {
-  const double power = std::pow(10.0, std::floor(std::log10(width)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= width * (1 - 1e-9)) return factor * power;
-  return 10 * power;
-}
+double round_step(double width) { return rounded_up(width, {1, 2, 5}); }
 
 std::vector<double> multiples(double step, double low, double high) {
   std::vector<double> values;
@@ -26,6 +20,13 @@ std::vector<double> multiples(double step, double low, double high) {
 }
 
 }  // namespace
+
+double rounded_up(double value, std::initializer_list<double> factors) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : factors)
+    if (factor * power >= value * (1 - 1e-9)) return factor * power;
+  return 10 * power;
+}
 
 Ticks ticks_between(double low, double high, int at_most) {
   double step = round_step((high - low) / at_most);
@@ -117,12 +118,14 @@ StrainUnit strain_unit(double largest_strain) {
   return {"microstrain", 1e6};
 }
 
-StrainUnit strain_unit(const mpm::Result& result) {
+double largest_strain(const mpm::Result& result) {
   double largest = 0;
   for (const mpm::HistoryRow& row : result.history)
     if (std::isfinite(row.strain)) largest = std::max(largest, row.strain);
-  return strain_unit(largest);
+  return largest;
 }
+
+StrainUnit strain_unit(const mpm::Result& result) { return strain_unit(largest_strain(result)); }
 
 std::string strain_words(const mpm::Result& result, double strain, int decimals) {
   const StrainUnit unit = strain_unit(result);

@@ -1,5 +1,6 @@
 #include "apps/scene/toml.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -135,12 +136,6 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (std::size_t i = 0; i < lines.size(); ++i) text += (i > 0 ? "\n" : "") + lines[i];
-  return text;
-}
-
 /// Brackets that a line opens less those that it closes; those in texts and comments do not count.
 int brackets_opened(std::string_view line) {
   int opened = 0;
@@ -241,7 +236,7 @@ Parseable parseable(std::string text, const std::function<void(const std::string
     const std::string gone = goes_on ? empty_out(lines, culprit(statements_of(lines), line)) : std::string();
     if (gone.empty()) return {"", result.left_out + result.text, std::move(result.complaints)};
     result.left_out += gone;
-    result.text = joined(lines);
+    result.text = fmt::format("{}", fmt::join(lines, "\n"));
   }
 }
 
