@@ -1,5 +1,4 @@
-/// Error against run time: problems with a known answer, solved in many ways.
-/// What the bench of errors found, as a page, as a table and in a few lines.
+/// Error against run time: problems with a known answer, solved in many ways, and what that found.
 #pragma once
 
 #include <cstdint>

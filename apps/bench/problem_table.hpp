@@ -1,5 +1,3 @@
-/// The problems whose answer is known in closed form.
-/// Problems of concrete, whose answer is a slow and fine run of our own.
 /// All problems of the bench of errors.
 #pragma once
 

@@ -1,5 +1,4 @@
 /// Fitting free parameters of a scene to a target.
-/// How much fitted parameters would differ with other random strengths.
 #pragma once
 
 #include <functional>

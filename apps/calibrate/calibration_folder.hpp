@@ -1,6 +1,4 @@
-/// What a calibration is asked for, as texts, and the task that it makes of a job.
-/// calibration.json: what was aimed at, what was free, what was found.
-/// What a calibration leaves on disk.
+/// From the wish for a calibration, as texts, to its task; and what it leaves on disk.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,4 @@
-/// A calibration in words, for the terminal and the report.
-/// report.html of a calibration.
+/// A calibration in words, for the terminal, and its report.html.
 #pragma once
 
 #include <ostream>

@@ -1,7 +1,4 @@
-/// The least value of a smooth function within bounds, without its derivatives.
-/// Inverse of a matrix that may have none.
-/// The trend of figures over parameters, without the noise of single evaluations.
-/// Search for the parameters of least misfit along the trend of all evaluations.
+/// Search for the parameters of least misfit along the trend of all evaluations, without their noise.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +16,8 @@ struct Box {
   std::vector<double> low, high;  ///< same length; start lies within
 };
 
-/// Where the function is least, to 1e-7, by BOBYQA: quadratic models in a trust region.
+/// Where a smooth function is least, to 1e-7, without its derivatives, by BOBYQA: quadratic models in a trust
+/// region.
 /// @throws what the function throws.
 /// Source: Powell (2009), as NLopt has it.
 [[nodiscard]] std::vector<double> bounded_minimum(

@@ -1,5 +1,4 @@
 /// What a chart says: data, axes, series. How it looks is the matter of chart_layout and the renderers.
-/// Where everything of a chart goes.
 #pragma once
 
 #include <string>

@@ -1,5 +1,4 @@
-/// The inks that charts are drawn in, on light and on dark paper.
-/// Colours for numbers with a sign.
+/// The inks that charts are drawn in, on light and on dark paper, and colours for numbers with a sign.
 #pragma once
 
 #include <array>

@@ -1,6 +1,4 @@
-/// The strains at which damage is shown.
-/// Pictures of damage at a strain.
-/// A picture of damage with all that a reader needs beside it.
+/// Pictures of damage at a strain, alone and with all that a reader needs beside them.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-/// Pictures of points that have left their pixels.
-/// The specimen as it is at the end of a run with moving points.
+/// The specimen as it is at the end of a run, whose points have left their pixels.
 #pragma once
 
 #include <cstdint>

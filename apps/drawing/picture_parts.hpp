@@ -1,5 +1,4 @@
-/// Pictures in another size, by whole factors only.
-/// What stands below a picture of a specimen, as all of them have it.
+/// Pictures in another size, by whole factors only, and what stands below those of a specimen.
 #pragma once
 
 #include <string>

@@ -1,5 +1,3 @@
-/// What of the stress at a point a picture shows.
-/// What the colours of a picture mean.
 /// A picture of stress with all that a reader needs beside it.
 #pragma once
 

@@ -1,8 +1,7 @@
-/// Round numbers along an axis.
-/// Long lines made short without a change that can be seen.
-/// The unit in which strains are shown.
+/// What stands along an axis: round numbers, the unit of strains; and lines no longer than can be seen.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,9 @@
 #include "libmpm/scene/result.hpp"
 
 namespace output {
+
+/// Smallest of the factors, which rise, times a power of ten that is not below a positive value.
+[[nodiscard]] double rounded_up(double value, std::initializer_list<double> factors);
 
 struct Ticks {
   double step = 1;             ///< 1, 2 or 5 times a power of ten
@@ -38,6 +40,9 @@ struct StrainUnit {
   std::string name;   ///< "microstrain"
   double per_strain;  ///< how many of it are a strain of 1
 };
+
+/// Of the strains of a run that are numbers; 0 where there is none above it.
+[[nodiscard]] double largest_strain(const mpm::Result& result);
 
 /// Percent from a strain of 1 % on, microstrain below.
 [[nodiscard]] StrainUnit strain_unit(double largest_strain);

@@ -1,5 +1,4 @@
-/// What is solved, made from what the user asked for.
-/// Where specimen and solver meet: labels become phases, ring vertices become material points.
+/// Where specimen and solver meet: what is solved, made from what the user asked for.
 #pragma once
 
 #include <string>

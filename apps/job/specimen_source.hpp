@@ -1,5 +1,4 @@
-/// From settings to the specimen, whatever its source.
-/// What generate and convert leave: a specimen file or a label picture, and the figures of the specimen.
+/// From settings to the specimen, whatever its source, and what generate and convert leave of it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

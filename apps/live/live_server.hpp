@@ -1,5 +1,4 @@
-/// A secret that only those know who were told.
-/// A web server for those on this machine who know its address.
+/// A web server for those on this machine who know its address, with the secret in it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,3 @@
-/// The report of a run that goes on, as the browser of whoever watches it shows it.
 /// Lets the user watch a run in a browser while it goes on, and stop it there.
 #pragma once
 

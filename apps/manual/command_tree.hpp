@@ -1,5 +1,4 @@
-/// What the help of a command says at its end, taken apart: running text, lists and examples.
-/// The commands of the program with their options, as plain data for manual pages and the reference.
+/// The commands of the program with their options, and what their help says, as plain data.
 #pragma once
 
 #include <string>

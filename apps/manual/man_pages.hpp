@@ -1,5 +1,4 @@
-/// Text as the typesetter of manual pages, roff, wants it.
-/// The manual pages of the program.
+/// The manual pages of the program, in roff, the typesetter's language.
 #pragma once
 
 #include <string>

@@ -1,6 +1,4 @@
-/// curve.csv: the history as a table.
-/// Which phases failed, and how.
-/// Figures that follow from a result and its scene.
+/// Figures that follow from a result and its scene, curve.csv among them.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,4 @@
-/// Bytes made small for a page.
-/// What the script of a page draws charts from.
-/// What the film of a report is drawn from: no frames, but when and how each pixel failed.
-/// What the script of a report reads.
+/// What the script of a report reads, and draws charts and the film from.
 #pragma once
 
 #include <cstdint>

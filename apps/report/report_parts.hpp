@@ -1,6 +1,5 @@
-/// The bricks of the report. Arguments named `html` are HTML already, all others are plain text and escaped.
-/// How the report looks.
-/// What makes the report page move, as text. It is kept as files in apps/report/page.
+/// The bricks of the report, its style and its scripts. Arguments named `html` are HTML already, all others
+/// are plain text and escaped.
 #pragma once
 
 #include <string>

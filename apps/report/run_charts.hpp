@@ -1,5 +1,4 @@
-/// The charts of a run.
-/// The charts of a specimen.
+/// The charts of a run and its specimen.
 #pragma once
 
 #include <vector>

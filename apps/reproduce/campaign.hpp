@@ -1,7 +1,4 @@
-/// All figures that can be reproduced.
-/// All runs of the figures that were asked for, and what the figures make of them.
-/// The page and the numbers that a reproduction leaves.
-/// mesopix reproduce: the figures of the paper with our numbers beside its claims.
+/// All runs of the figures that were asked for, and the page and numbers that they leave.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,4 @@
-/// What the paper says, what a run found, and whether the two go together.
-/// A figure of the paper, or a few that show one experiment: which runs it needs and what it makes of them.
-/// Numbers of a reproduction in sentences.
-/// Pictures of damage on the page.
+/// A figure of the paper, or a few of one experiment: the runs it needs, its claims, what it makes of both.
 #pragma once
 
 #include <functional>

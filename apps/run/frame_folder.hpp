@@ -1,5 +1,4 @@
-/// What ParaView opens to see the frames of a run one after the other.
-/// The frames of a run in its folder, written while the run goes on.
+/// The frames of a run in its folder, written while the run goes on, and the lists of them for ParaView.
 #pragma once
 
 #include <cstdint>

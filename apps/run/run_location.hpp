@@ -1,5 +1,4 @@
-/// In which folder a run is written.
-/// A run folder, read back.
+/// In which folder a run is written, and how it is read back.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,4 @@
-/// What there is to say of a ledger of energies that does not close.
-/// What a run has to remember beside its state, so that it ends as it was asked to after it was stopped.
-/// What a run has in it and what it leaves out, as text and as JSON.
+/// What there is to say of a run: what it leaves out, what it has to remember, a ledger that does not close.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

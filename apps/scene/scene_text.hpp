@@ -1,7 +1,4 @@
-/// The resolved scene: every setting that has an effect, written out as TOML.
-/// The JSON Schema of scenes, for editors that complete and check TOML.
-/// A scene to begin with.
-/// What sets scenes apart.
+/// Scenes as texts: resolved ones, drafts, what sets them apart, and their JSON Schema.
 #pragma once
 
 #include <filesystem>

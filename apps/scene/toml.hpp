@@ -1,6 +1,4 @@
-/// How deep a TOML text nests, looked at before it is parsed: the parser calls itself for each level.
 /// What the readers of TOML files share.
-/// A TOML text without the statements that are none, so that the others can be looked at too.
 #pragma once
 
 #include <toml++/toml.h>
@@ -14,6 +12,7 @@
 
 namespace app {
 
+/// Before a text is parsed, since the parser calls itself for each level.
 /// @throws Rejected (Exit::data) with the place of a key of more than 16 parts ("a.b.c" has 3), or of a list
 /// or table within more than 32 others. In a text that is no TOML it may find less, but never past what a
 /// parser accepts.

@@ -1,6 +1,4 @@
-/// Options that are no settings of the scene, read by the codecs of those.
-/// Settings as the user wrote them, from a scene file or the command line, and how they are applied.
-/// What every exception of the libraries means to who asked: the exit code, and the complaints.
+/// Settings as the user wrote them, how they are applied, and what every exception means to who asked.
 #pragma once
 
 #include <exception>

@@ -1,5 +1,4 @@
-/// Which parameters a result depends on, told from runs at given points.
-/// Strength against size.
+/// Which parameters a result depends on, the size among them, told from runs at given points.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-/// Figures about a number of runs.
-/// How well a mean is known from a number of runs.
+/// Figures about a number of runs, and how well they are known.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,3 @@
-/// The keys of study files.
 /// Study files: TOML that says what of a scene varies, and how.
 #pragma once
 

@@ -1,4 +1,3 @@
-/// How many seeds a study needs, told from those that it has.
 /// A whole study: all its members, and as many seeds more as a confidence interval calls for.
 #pragma once
 

@@ -1,5 +1,4 @@
-/// Where the points of a study lie in the space of its parameters.
-/// The runs that a study consists of.
+/// The runs that a study consists of, and where they lie in the space of its parameters.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
 /// What the members of a study say together, written into its folder and told.
-/// One line on the terminal that tells how far a study is.
 #pragma once
 
 #include <chrono>

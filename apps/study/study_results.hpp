@@ -1,5 +1,4 @@
-/// What the members of a study came to, read back from its folder.
-/// The members of a study as a table, one a row.
+/// What the members of a study came to, read back from its folder and as a table.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-/// The values that a parameter of a study takes.
-/// How a study file says which values a parameter takes.
+/// The values that a parameter of a study takes, and how a study file says them.
 #pragma once
 
 #include <toml++/toml.h>

@@ -1,6 +1,4 @@
-/// Whole files as text.
-/// Several files, of which a disk that fails takes what it can.
-/// One program at a time writes a run folder.
+/// Whole files as text, several files of which a disk takes what it can, and folders that one program writes.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,4 @@
-/// A first try of what may end the program.
-/// HDF5 serves one thread at a time.
-/// HDF5 files as the commands read them: each at first in a process of its own, see trial.hpp.
+/// HDF5 files as the commands read them: each at first in a process of its own, one thread at a time.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,4 @@
-/// What this machine is, and how much of it a run may take.
-/// What this machine can do at most, measured: the yardstick beside every speed that is quoted.
+/// What this machine is and can do, measured, and how much of it a run may take.
 #pragma once
 
 #include <cstdint>

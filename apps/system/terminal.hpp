@@ -1,6 +1,4 @@
-/// What a terminal can show, by what the environment says of it.
-/// One line on the terminal that is written over and over.
-/// Where the program writes to, and how it words what it says.
+/// Where the program writes to, what can be shown there, and how it words what it says.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,4 @@
-/// Numbers as text, the same in every locale.
-/// Strains on the terminal.
+/// Numbers and strains as text, the same in every locale.
 #pragma once
 
 #include <cstdint>

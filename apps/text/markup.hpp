@@ -1,5 +1,4 @@
-/// Text for HTML and XML.
-/// JSON as the program writes it.
+/// Text for HTML and XML, and JSON as the program writes it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

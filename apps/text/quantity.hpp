@@ -1,6 +1,5 @@
-/// Quantities with units as people write them: "0.5 mm", "20 GPa", "50 deg", "45 %".
-/// The shortest decimal text of a double.
-/// A value of a setting as scene files hold it.
+/// Quantities with units as people write them, "0.5 mm", "20 GPa", "45 %", and values of settings as
+/// scenes have them.
 #pragma once
 
 #include <cstdint>

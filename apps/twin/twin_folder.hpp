@@ -1,4 +1,3 @@
-/// What was measured on twins, for programs.
 /// What twins leave on disk beside themselves.
 #pragma once
 

@@ -1,4 +1,3 @@
-/// Charts of an original between its twins.
 /// The page about an original and its twins.
 #pragma once
 

@@ -1,5 +1,4 @@
-/// Twins of one original, made, measured and written side by side.
-/// What twins are asked for, as texts, and the task that it makes of an original.
+/// Twins of one original, made, measured and written side by side, from the wish for them as texts.
 #pragma once
 
 #include <cstdint>
