@@ -161,18 +161,21 @@ AtRest at_rest(double fast, double middle, double slow) {
 }
 
 /// Error of one of three runs at rates of 4, 2 and 1.
+/// @param compared  what another of them, `other`, did otherwise.
 ErrorSource rate_source(const mpm::Result& of, const mpm::Result& fast, const mpm::Result& middle,
-                        const mpm::Result& slow) {
+                        const mpm::Result& slow, const std::string& compared, const mpm::Result& other) {
   const auto error = [&](double mpm::Result::*quantity) {
     const AtRest rest = at_rest(fast.*quantity, middle.*quantity, slow.*quantity);
     return of.*quantity == 0 ? 0
                              : margin * (std::abs(of.*quantity - rest.value) + rest.deviation) / of.*quantity;
   };
-  ErrorSource source;
-  source.name = "loading rate";
-  source.stress_error = error(&mpm::Result::peak_stress);
-  source.strain_error = error(&mpm::Result::peak_strain);
-  return source;
+  return {"loading rate",
+          compared,
+          other.peak_stress,
+          other.peak_strain,
+          error(&mpm::Result::peak_stress),
+          error(&mpm::Result::peak_strain),
+          other.wall_time};
 }
 
 /// Runs at rates that are halved from one to the next, of which the last three tell the error.
@@ -189,12 +192,8 @@ class RateLadder {
     const Candidate& slowest = at(1);
     if (rungs() < 3)
       return source_of("loading rate", velocity_text(at(2).scene), 1, slowest.result, at(2).result);
-    ErrorSource source = rate_source(slowest.result, at(3).result, at(2).result, slowest.result);
-    source.compared = velocity_text(at(2).scene);
-    source.peak_stress = at(2).result.peak_stress;
-    source.peak_strain = at(2).result.peak_strain;
-    source.wall_time = at(2).result.wall_time;
-    return source;
+    return rate_source(slowest.result, at(3).result, at(2).result, slowest.result, velocity_text(at(2).scene),
+                       at(2).result);
   }
 
  private:
@@ -209,11 +208,10 @@ constexpr std::size_t most_halvings = 7;  ///< of the loading rate
 ErrorSource rate_error(const mpm::Scene& scene, const mpm::Result& base, const Solve& solve) {
   const mpm::Scene slow = slower(scene), slowest = slower(slow);
   const mpm::Result half = solve(slow), quarter = solve(slowest);
-  ErrorSource source = rate_source(base, base, half, quarter);
-  source.compared = output::trimmed(slow.loading.velocity, 4) + ", " + velocity_text(slowest);
-  source.peak_stress = quarter.peak_stress;
-  source.peak_strain = quarter.peak_strain;
-  source.wall_time = half.wall_time + quarter.wall_time;
+  ErrorSource source =
+      rate_source(base, base, half, quarter,
+                  output::trimmed(slow.loading.velocity, 4) + ", " + velocity_text(slowest), quarter);
+  source.wall_time += half.wall_time;
   return source;
 }
 

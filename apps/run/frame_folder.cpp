@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <system_error>
@@ -18,15 +19,11 @@
 namespace output {
 namespace {
 
-constexpr std::size_t digits = 6;
-const std::string stem = "p_";
-const std::string ending = ".hdf";
-
 /// A dataset in the file of a frame. @param width  numbers a point. @param type  with its precision.
 std::string data_item(const FrameEntry& frame, const std::string& dataset, int width,
                       const std::string& type) {
-  return "<DataItem Dimensions=\"" + std::to_string(frame.points) + " " + std::to_string(width) + "\" " +
-         type + " Format=\"HDF\">" + frame.path + ":/VTKHDF/" + dataset + "</DataItem>";
+  return fmt::format(R"(<DataItem Dimensions="{} {}" {} Format="HDF">{}:/VTKHDF/{}</DataItem>)", frame.points,
+                     width, type, frame.path, dataset);
 }
 
 const std::string float32 = R"(NumberType="Float" Precision="4")";
@@ -49,18 +46,11 @@ const std::array<Attribute, 6> attributes{{{"displacement", "Vector", 3, float32
 
 }  // namespace
 
-std::string frame_name(std::int64_t number) {
-  const std::string text = std::to_string(number);
-  return stem + std::string(digits - std::min(digits, text.size()), '0') + text + ending;
-}
+std::string frame_name(std::int64_t number) { return fmt::format("p_{:06}.hdf", number); }
 
 bool is_frame_name(const std::string& name) {
-  if (name.size() < stem.size() + digits + ending.size() || !name.starts_with(stem) ||
-      !name.ends_with(ending))
-    return false;
-  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(stem.size()),
-                     name.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                     [](char c) { return c >= '0' && c <= '9'; });
+  static const std::regex pattern("p_[0-9]{6,}[.]hdf");
+  return std::regex_match(name, pattern);
 }
 
 void FrameSeries::add(const FrameEntry& frame) {
@@ -74,16 +64,18 @@ std::string FrameSeries::text() const {
 
 void FrameXdmf::add(const FrameEntry& frame) {
   if (frame.points == 0) return;
-  grids_ += "      <Grid Name=\"" + frame.path + "\" GridType=\"Uniform\">\n        <Time Value=\"" +
-            exact(frame.time) + "\"/>\n        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" +
-            std::to_string(frame.points) + "\" NodesPerElement=\"1\">" +
-            data_item(frame, "Connectivity", 1, int64) +
-            "</Topology>\n        <Geometry GeometryType=\"XYZ\">" + data_item(frame, "Points", 3, float32) +
-            "</Geometry>\n";
+  grids_ += fmt::format(
+      R"(      <Grid Name="{}" GridType="Uniform">
+        <Time Value="{}"/>
+        <Topology TopologyType="Polyvertex" NumberOfElements="{}" NodesPerElement="1">{}</Topology>
+        <Geometry GeometryType="XYZ">{}</Geometry>
+)",
+      frame.path, exact(frame.time), frame.points, data_item(frame, "Connectivity", 1, int64),
+      data_item(frame, "Points", 3, float32));
   for (const Attribute& one : attributes)
-    grids_ += std::string("        <Attribute Name=\"") + one.name + "\" AttributeType=\"" + one.kind +
-              "\" Center=\"Node\">" +
-              data_item(frame, std::string("PointData/") + one.name, one.width, one.type) + "</Attribute>\n";
+    grids_ += fmt::format(
+        "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n", one.name,
+        one.kind, data_item(frame, std::string("PointData/") + one.name, one.width, one.type));
   grids_ += "      </Grid>\n";
 }
 

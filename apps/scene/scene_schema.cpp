@@ -125,23 +125,14 @@ Json closed_table(const std::string& title, Json properties) {
           {"additionalProperties", false}};
 }
 
-Json table_schema(const Group& group, const Settings& defaults) {
+/// @param defaults  nullptr = there are none.
+template <class T>
+Json table_schema(const std::string& title, const std::vector<FieldOf<T>>& fields, const T* defaults) {
   Json properties = Json::object();
-  for (const Field& field : fields_of(group.name)) {
+  for (const FieldOf<T>& field : fields) {
     Json schema = described(field.help + "; ", field.form);
-    add_default(schema, field.get(defaults));
+    if (defaults != nullptr) add_default(schema, field.get(*defaults));
     properties[leaf_of(field.key)] = std::move(schema);
-  }
-  return closed_table(group.title, std::move(properties));
-}
-
-/// @param defaults  of a phase of concrete; nullptr = another one, which has none.
-Json phase_schema(const std::string& title, const mpm::Phase* defaults = nullptr) {
-  Json properties = Json::object();
-  for (const PhaseField& property : phase_fields()) {
-    Json schema = described(property.help + "; ", property.form);
-    if (defaults != nullptr) add_default(schema, property.get(*defaults));
-    properties[property.key] = std::move(schema);
   }
   return closed_table(title, std::move(properties));
 }
@@ -149,9 +140,10 @@ Json phase_schema(const std::string& title, const mpm::Phase* defaults = nullptr
 Json phases_schema(const Group& group, const Settings& defaults) {
   Json known = Json::object();
   for (const mpm::Phase& phase : defaults.phases)
-    known[phase.name] = phase_schema("Phase " + phase.name, &phase);
+    known[phase.name] = table_schema("Phase " + phase.name, phase_fields(), &phase);
   Json schema = closed_table(group.title, std::move(known));
-  schema["patternProperties"] = {{"^[A-Za-z0-9_-]+$", phase_schema("Phase")}};
+  schema["patternProperties"] = {
+      {"^[A-Za-z0-9_-]+$", table_schema<mpm::Phase>("Phase", phase_fields(), nullptr)}};
   schema["maxProperties"] = most_phases;
   return schema;
 }
@@ -178,8 +170,9 @@ nlohmann::ordered_json scene_schema() {
   const Settings defaults;
   Json properties{{"ellipses", ellipses_schema()}};
   for (const Group& group : groups())
-    properties[group.name] =
-        group.name == "phases" ? phases_schema(group, defaults) : table_schema(group, defaults);
+    properties[group.name] = group.name == "phases"
+                                 ? phases_schema(group, defaults)
+                                 : table_schema(group.title, fields_of(group.name), &defaults);
   Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}};
   schema.update(closed_table(std::string("Scene of mesopix ") + version(), std::move(properties)));
   return schema;

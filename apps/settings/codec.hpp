@@ -60,14 +60,11 @@ struct WholeNumberCodec {
 
 /// A whole number that is kept as T.
 template <class T = int>
-struct IntegerCodec {
-  Bounds bounds = {};
-  std::optional<Word> word = {};
-
-  [[nodiscard]] Form form() const { return number().form(); }
-  [[nodiscard]] T read(const Value& value) const { return static_cast<T>(number().read(value)); }
-  [[nodiscard]] Value write(T value) const { return number().write(static_cast<std::int64_t>(value)); }
-  [[nodiscard]] WholeNumberCodec number() const { return {bounds, word}; }
+struct IntegerCodec : WholeNumberCodec {
+  [[nodiscard]] T read(const Value& value) const { return static_cast<T>(WholeNumberCodec::read(value)); }
+  [[nodiscard]] Value write(T value) const {
+    return WholeNumberCodec::write(static_cast<std::int64_t>(value));
+  }
 };
 
 struct BooleanCodec {

@@ -315,11 +315,8 @@ Study study_of(TextFile file, TextFile scene) {
 }
 
 Study read_study(const std::string& path) {
-  TextFile file{read_text_file(path), path};
-  StudyPlan plan = parse_study(file.text, path);
-  TextFile scene{read_text_file(plan.scene), plan.scene};
-  Resolved base = resolve(parse_scene(scene.text, scene.path), {});
-  return study_of(std::move(plan), std::move(base), std::move(file), std::move(scene));
+  const std::string text = read_text_file(path), scene = parse_study(text, path).scene;
+  return study_of({text, path}, {read_text_file(scene), scene});
 }
 
 }  // namespace app

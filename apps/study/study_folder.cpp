@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
+#include <type_traits>
 
 #include "apps/run/run_location.hpp"
 #include "apps/scene/scene_text.hpp"
@@ -86,14 +87,19 @@ std::string cure_of(const Study& kept, const Study& given) {
               : "choose another folder with -o; a study may only grow: more seeds, levels or samples";
 }
 
-/// As the folder says it; before it did, it was 1.
-int kept_format(const fs::path& file) {
-  if (!is_there(file)) return 1;
+/// What one of our files says by a key: a whole number or a text.   @throws Rejected for a file that does
+/// not.
+template <class T>
+T said_in(const fs::path& file, const char* key, const std::string& cure = {}) {
   const auto json = nlohmann::json::parse(read_text_file(file.string()), nullptr, false);
-  if (!json.is_object() || !json.contains("format") || !json["format"].is_number_integer())
-    throw Rejected(Exit::data, complaint(file.string(), "says no format", "must be as mesopix wrote it"));
-  return json["format"].get<int>();
+  const auto value = json.is_object() ? json.value(key, nlohmann::json()) : nlohmann::json();
+  if (std::is_same_v<T, int> ? value.is_number_integer() : value.is_string()) return value.get<T>();
+  throw Rejected(Exit::data, complaint(file.string(), std::string("says no ") + key,
+                                       "must be as mesopix wrote it", cure));
 }
+
+/// As the folder says it; before it did, it was 1.
+int kept_format(const fs::path& file) { return is_there(file) ? said_in<int>(file, "format") : 1; }
 
 bool holds_anything(const fs::path& folder) {
   std::error_code error;
@@ -162,12 +168,7 @@ void StudyFolder::write_failure(const Study& study, const Member& member, const 
 }
 
 std::string StudyFolder::failure(const Member& member) const {
-  if (!has_failed(member)) return {};
-  const std::string path = failure_file(member).string();
-  const auto json = nlohmann::json::parse(read_text_file(path), nullptr, false);
-  if (!json.is_object() || !json.contains("reason") || !json["reason"].is_string())
-    throw Rejected(Exit::data, complaint(path, "says no reason", "must be as mesopix wrote it", "remove it"));
-  return json["reason"].get<std::string>();
+  return has_failed(member) ? said_in<std::string>(failure_file(member), "reason", "remove it") : "";
 }
 
 void StudyFolder::forget_failure(const Member& member) const {
