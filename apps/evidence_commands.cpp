@@ -9,8 +9,7 @@ namespace app {
 
 MoreCommands evidence_commands() {
 #ifdef MESOPIX_EVIDENCE
-  return {[](CLI::App& program) { return std::make_unique<ReproduceCommand>(program); },
-          [](CLI::App& program) { return std::make_unique<BenchCommand>(program); }};
+  return {reproduce_command, bench_command};
 #else
   return {};
 #endif

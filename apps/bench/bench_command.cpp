@@ -100,131 +100,111 @@ const std::vector<std::string>& benches() {
   return names;
 }
 
-/// One line on the terminal that tells how far the runs are.
-class CountLine {
- public:
-  explicit CountLine(Console& console) : line_(console.err, console.err_is_terminal && !console.quiet) {}
+/// What a bench leaves.
+struct Found {
+  std::string csv, html, text;
+  nlohmann::ordered_json json;
+  bool complete = true;    ///< else it was interrupted
+  const char* kept = "";   ///< "the cases that were done are", when it was
+  const char* fault = "";  ///< what is wrong with the program; empty = nothing
+};
 
-  void show(std::size_t done, std::size_t all) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    line_.show(fmt::format("{} of {} runs   {:.0f} s", done, all, elapsed.count()));
+class BenchCommand : public Command {
+ public:
+  explicit BenchCommand(CLI::App& program)
+      : Command(program, "bench", "Measure error against run time, stability, and what features cost",
+                bench_footer) {
+    option("WHAT", what_, listed(benches()), one_of(benches()));
+    option("--problem", problems_, "error: problem to solve, e.g. bar; may be given again [all]",
+           text_form("NAME"));
+    option("--case", cases_, "stability: case to run, e.g. contrast; may be given again [all]",
+           text_form("NAME"));
+    folder_and_overwrite("runs/bench-WHAT, runs/bench-WHAT-2, ...");
+    json_and_quiet("what was found as JSON on standard output");
+  }
+
+  Exit run(Console& console) override {
+    if (what_.empty())
+      throw Rejected(Exit::usage, "WHAT", "missing", "must be " + listed(benches()), "mesopix bench error");
+    if (std::find(benches().begin(), benches().end(), what_) == benches().end())
+      throw Rejected(Exit::usage, "WHAT", what_, "must be " + listed(benches()),
+                     did_you_mean(what_, benches()));
+    if (what_ != "error" && !problems_.empty())
+      throw Rejected(Exit::usage, "--problem", "given with " + what_, "belongs to mesopix bench error");
+    if (what_ != "stability" && !cases_.empty())
+      throw Rejected(Exit::usage, "--case", "given with " + what_, "belongs to mesopix bench stability");
+    const auto problems = bench::select_problems(problems_);
+    (void)bench::select_cases(cases_);  // before a folder is made
+    const FreshFolder folder(make_run_folder(output_, "bench-" + what_, overwrite_));
+    const InterruptGuard guard;
+    const Found found = [&] {
+      TerminalLine line(console);
+      const auto told = [&](std::size_t done, std::size_t all) {
+        line.show(fmt::format("{} of {} runs   {:.0f} s", done, all, line.elapsed()));
+      };
+      const Watch watch{told, [&] { return !guard.interrupted(); }};
+      if (what_ == "error") return errors(problems, folder.path(), watch);
+      return what_ == "stability" ? limits(watch) : features(watch);
+    }();
+    mpm::replace_file((folder.path() / (what_ + ".csv")).string(), found.csv);
+    const std::string page = what_ == "error" ? "error_vs_time.html" : what_ + ".html";
+    mpm::replace_file((folder.path() / page).string(), found.html);
+    if (json_)
+      console.out << json_text(found.json);
+    else if (!console.quiet)
+      console.out << found.text;
+    console.say("wrote " + folder.path().string());
+    if (!found.complete) {
+      console.say(std::string("interrupted; ") + found.kept + " kept");
+      return Exit::interrupted;
+    }
+    if (*found.fault != '\0')
+      throw Rejected(Exit::internal, "bench " + what_, found.fault, "see " + folder.path().string());
+    return Exit::ok;
   }
 
  private:
-  TerminalLine line_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  static Found errors(const std::vector<bench::Problem>& problems, const fs::path& folder,
+                      const Watch& watch) {
+    const auto results = bench::study_errors(problems, watch);
+    for (const bench::ProblemResult& result : results)
+      mpm::replace_file((folder / (result.problem.name + ".png")).string(), bench::error_png(result));
+    return {bench::error_csv(results),  bench::error_html(results),        bench::error_text(results),
+            bench::error_json(results), results.size() == problems.size(), "the problems that were done are"};
+  }
+
+  [[nodiscard]] Found limits(const Watch& watch) const {
+    const bench::StabilityOutcome outcome = bench::run_stability({cases_, core_count()}, watch);
+    return {bench::stability_csv(outcome),
+            bench::stability_html(outcome),
+            bench::stability_text(outcome),
+            bench::stability_json(outcome),
+            watch.goes_on(),
+            "the cases that were done are",
+            outcome.holds() ? "" : "a case does not hold"};
+  }
+
+  static Found features(const Watch& watch) {
+    const std::vector<bench::FeatureCase> cases = bench::all_features();
+    const std::vector<bench::FeatureCost> costs = bench::measure_features(cases, 5, watch);
+    const bool agree =
+        std::all_of(costs.begin(), costs.end(), [](const auto& cost) { return cost.agrees(); });
+    return {bench::feature_csv(costs),
+            bench::feature_html(costs),
+            bench::feature_text(costs),
+            bench::feature_json(costs),
+            costs.size() == cases.size(),
+            "what was measured is",
+            agree ? "" : "a feature that was left out changed the results"};
+  }
+
+  std::string what_;
+  std::vector<std::string> problems_;
+  std::vector<std::string> cases_;
 };
 
 }  // namespace
 
-BenchCommand::BenchCommand(CLI::App& program)
-    : Command(program, "bench", "Measure error against run time, stability, and what features cost",
-              bench_footer) {
-  options().value("WHAT", what_, listed(benches()), one_of(benches()));
-  options().value("--problem", problems_, "error: problem to solve, e.g. bar; may be given again [all]",
-                  text_form("NAME"));
-  options().value("--case", cases_, "stability: case to run, e.g. contrast; may be given again [all]",
-                  text_form("NAME"));
-  options().value("-o,--output", output_, "folder [runs/bench-WHAT, runs/bench-WHAT-2, ...]", folder_form());
-  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
-  options().add_flag("--json", json_, "what was found as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-Exit BenchCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (what_.empty())
-    throw Rejected(Exit::usage,
-                   complaint("WHAT", "missing", "must be " + listed(benches()), "mesopix bench error"));
-  if (std::find(benches().begin(), benches().end(), what_) == benches().end())
-    throw Rejected(Exit::usage,
-                   complaint("WHAT", what_, "must be " + listed(benches()), did_you_mean(what_, benches())));
-  if (what_ != "error" && !problems_.empty())
-    throw Rejected(Exit::usage,
-                   complaint("--problem", "given with " + what_, "belongs to mesopix bench error"));
-  if (what_ != "stability" && !cases_.empty())
-    throw Rejected(Exit::usage,
-                   complaint("--case", "given with " + what_, "belongs to mesopix bench stability"));
-  if (what_ == "error") return run_error(console);
-  return what_ == "stability" ? run_stability(console) : run_features(console);
-}
-
-Exit BenchCommand::run_error(Console& console) const {
-  const std::vector<bench::Problem> problems = bench::select_problems(problems_);
-  const FreshFolder folder(make_run_folder(output_, "bench-error", overwrite_));
-  const InterruptGuard guard;
-  const auto results = [&] {
-    CountLine line(console);
-    return bench::study_errors(problems, {[&](std::size_t done, std::size_t all) { line.show(done, all); },
-                                          [&] { return !guard.interrupted(); }});
-  }();
-  mpm::replace_file((folder.path() / "error.csv").string(), bench::error_csv(results));
-  mpm::replace_file((folder.path() / "error_vs_time.html").string(), bench::error_html(results));
-  for (const bench::ProblemResult& result : results)
-    mpm::replace_file((folder.path() / (result.problem.name + ".png")).string(), bench::error_png(result));
-  if (json_)
-    console.out << json_text(bench::error_json(results));
-  else if (!console.quiet)
-    console.out << bench::error_text(results);
-  console.say("wrote " + folder.path().string());
-  if (results.size() == problems.size()) return Exit::ok;
-  console.say("interrupted; the problems that were done are kept");
-  return Exit::interrupted;
-}
-
-Exit BenchCommand::run_stability(Console& console) const {
-  static_cast<void>(bench::select_cases(cases_));  // before a folder is made
-  const FreshFolder folder(make_run_folder(output_, "bench-stability", overwrite_));
-  const InterruptGuard guard;
-  const bench::StabilityOutcome outcome = [&] {
-    CountLine line(console);
-    return bench::run_stability(
-        {cases_, core_count()}, [&](std::size_t done, std::size_t all) { line.show(done, all); },
-        [&] { return !guard.interrupted(); });
-  }();
-  mpm::replace_file((folder.path() / "stability.csv").string(), bench::stability_csv(outcome));
-  mpm::replace_file((folder.path() / "stability.html").string(), bench::stability_html(outcome));
-  if (json_)
-    console.out << json_text(bench::stability_json(outcome));
-  else if (!console.quiet)
-    console.out << bench::stability_text(outcome);
-  console.say("wrote " + folder.path().string());
-  if (guard.interrupted()) {
-    console.say("interrupted; the cases that were done are kept");
-    return Exit::interrupted;
-  }
-  if (!outcome.holds())
-    throw Rejected(Exit::internal,
-                   complaint("bench stability", "a case does not hold", "see " + folder.path().string()));
-  return Exit::ok;
-}
-
-Exit BenchCommand::run_features(Console& console) const {
-  const FreshFolder folder(make_run_folder(output_, "bench-features", overwrite_));
-  const InterruptGuard guard;
-  const std::vector<bench::FeatureCase> cases = bench::all_features();
-  const std::vector<bench::FeatureCost> costs = [&] {
-    CountLine line(console);
-    return bench::measure_features(
-        cases, 5, [&](std::size_t done, std::size_t all) { line.show(done, all); },
-        [&] { return !guard.interrupted(); });
-  }();
-  mpm::replace_file((folder.path() / "features.csv").string(), bench::feature_csv(costs));
-  mpm::replace_file((folder.path() / "features.html").string(), bench::feature_html(costs));
-  if (json_)
-    console.out << json_text(bench::feature_json(costs));
-  else if (!console.quiet)
-    console.out << bench::feature_text(costs);
-  console.say("wrote " + folder.path().string());
-  if (costs.size() < cases.size()) {
-    console.say("interrupted; what was measured is kept");
-    return Exit::interrupted;
-  }
-  const bool agree = std::all_of(costs.begin(), costs.end(), [](const auto& cost) { return cost.agrees(); });
-  if (!agree)
-    throw Rejected(Exit::internal,
-                   complaint("bench features", "a feature that was left out changed the results", ""));
-  return Exit::ok;
-}
+CommandPointer bench_command(CLI::App& parent) { return std::make_unique<BenchCommand>(parent); }
 
 }  // namespace app

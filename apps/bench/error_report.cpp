@@ -35,7 +35,7 @@ std::string time_text(double seconds) {
 
 /// "1/64 of the width", "0.5 mm".
 std::string size_text(const Method& method, double size) {
-  if (!method.unit.empty()) return output::trimmed(size) + " " + method.unit;
+  if (!method.unit.empty()) return output::concise(size) + " " + method.unit;
   return fmt::format("1/{:.0f}", 1 / size);
 }
 
@@ -57,8 +57,6 @@ const Cost point_updates{"point-updates", {"Point-updates", "", true}, [](const 
                          }};
 
 output::Chart chart_of(const ProblemResult& result, const Cost& cost) {
-  constexpr std::array inks{output::Ink::first, output::Ink::second, output::Ink::third, output::Ink::fourth,
-                            output::Ink::fifth};
   output::Chart chart{fmt::format("Error against {}: {}", cost.name, result.problem.title),
                       cost.axis,
                       {"Error", "", true},
@@ -66,7 +64,8 @@ output::Chart chart_of(const ProblemResult& result, const Cost& cost) {
                       {}};
   for (std::size_t i = 0; i < result.methods.size(); ++i) {
     const MethodResult& method = result.methods[i];
-    output::Series series{method.method->name, {}, {}, inks[i % inks.size()], i / inks.size() % 2 == 1, true};
+    output::Series series{
+        method.method->name, {}, {}, output::ink_of_series(i), i / output::series_inks % 2 == 1, true};
     for (const Sample& sample : method.samples) {
       series.x.push_back(cost.of(sample));
       series.y.push_back(sample.error);
@@ -117,7 +116,7 @@ std::string problem_html(const ProblemResult& result) {
           output::chart_figure(chart_of(result, point_updates), chart_width, chart_height,
                                "Black dots: the runs that are in front by wall time.") +
           "</details>\n" + output::number_table({"", "From … to", "Error", "Order", "Finest takes"}, rows) +
-          "<div class=\"remarks\">\n" + output::paragraph(problem.remark) + troubles_of(result) + "</div>\n");
+          output::remarks(output::paragraph(problem.remark) + troubles_of(result)));
 }
 
 /// "GIMP MUSL FLIP, cell 1/32, in 12 ms", or how near it came.
@@ -129,31 +128,29 @@ std::string cheapest_text(const ProblemResult& result, double tolerance) {
 }
 
 std::string cheapest_table(const std::vector<ProblemResult>& results) {
-  std::string html =
-      "<div class=\"scroll\">\n<table class=\"claims\">\n<thead><tr><th scope=\"col\">Problem</th>";
+  std::vector<std::string> head{"Problem"};
   for (const double tolerance : tolerances)
-    html += fmt::format("<th scope=\"col\">{}</th>",
-                        escape("Error of " + output::trimmed(100 * tolerance) + " %"));
-  html += "</tr></thead>\n<tbody>\n";
+    head.push_back("Error of " + output::concise(100 * tolerance) + " %");
+  std::string rows;
   for (const ProblemResult& result : results) {
-    html += fmt::format("<tr><th scope=\"row\">{}</th>", escape(result.problem.title));
+    rows += fmt::format("<tr><th scope=\"row\">{}</th>", escape(result.problem.title));
     for (const double tolerance : tolerances)
-      html += fmt::format("<td>{}</td>", escape(cheapest_text(result, tolerance)));
-    html += "</tr>\n";
+      rows += fmt::format("<td>{}</td>", escape(cheapest_text(result, tolerance)));
+    rows += "</tr>\n";
   }
-  return html + "</tbody>\n</table>\n</div>\n";
+  return output::table("claims", head, rows);
 }
 
 }  // namespace
 
 std::string error_html(const std::vector<ProblemResult>& results) {
-  std::string html = fmt::format(
-      "<header>\n<h1>{}</h1>\n<p class=\"setting\">Problems with a known answer, and concrete against a slow "
-      "and fine "
-      "run, solved in many ways by mesopix {}. Each run had one thread and the machine to itself; its time "
-      "is that "
-      "of its time loop. Order: the power of the size with which the error falls.</p>\n</header>\n",
-      error_title, escape(version()));
+  std::string html = output::heading(
+      error_title,
+      fmt::format(
+          "Problems with a known answer, and concrete against a slow and fine run, solved in many ways by "
+          "mesopix {}. Each run had one thread and the machine to itself; its time is that of its time "
+          "loop. Order: the power of the size with which the error falls.",
+          version()));
   for (const ProblemResult& result : results) html += problem_html(result);
   return output::page(error_title, html + output::section("The cheapest way", cheapest_table(results)));
 }
@@ -179,7 +176,7 @@ std::string error_text(const std::vector<ProblemResult>& results) {
   std::string text;
   for (const ProblemResult& result : results)
     for (const double tolerance : tolerances)
-      text += fmt::format("{:13} {:>5} %   {}\n", result.problem.name, output::trimmed(100 * tolerance),
+      text += fmt::format("{:13} {:>5} %   {}\n", result.problem.name, output::concise(100 * tolerance),
                           cheapest_text(result, tolerance));
   return text;
 }

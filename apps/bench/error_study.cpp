@@ -75,18 +75,18 @@ std::size_t runs_of(const Problem& problem) {
 /// Runs one after the other, until somebody says no.
 class Progress {
  public:
-  Progress(std::size_t all, const StudyWatch& watch) : all_(all), watch_(watch) {}
+  Progress(std::size_t all, const Watch& watch) : all_(all), watch_(watch) {}
 
-  [[nodiscard]] bool goes_on() const { return !watch_.go_on || watch_.go_on(); }
+  [[nodiscard]] bool goes_on() const { return watch_.goes_on(); }
   Measured take(const Run& run) {
     const Measured measured = repeated(run);
-    if (watch_.run_done) watch_.run_done(++done_, all_);
+    watch_.tell(++done_, all_);
     return measured;
   }
 
  private:
   std::size_t done_ = 0, all_;
-  const StudyWatch& watch_;
+  const Watch& watch_;
 };
 
 /// @return whether all runs were done.
@@ -123,7 +123,7 @@ Cheapest best_of(const ProblemResult& result, const MayTake& may_take, const Bet
 
 }  // namespace
 
-std::vector<ProblemResult> study_errors(const std::vector<Problem>& problems, const StudyWatch& watch) {
+std::vector<ProblemResult> study_errors(const std::vector<Problem>& problems, const Watch& watch) {
   std::size_t all = 0;
   for (const Problem& problem : problems) all += runs_of(problem);
   Progress progress(all, watch);

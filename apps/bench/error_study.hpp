@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/system/job_pool.hpp"
+
 namespace app::bench {
 
 /// What one run gives.
@@ -60,16 +62,11 @@ struct ProblemResult {
   std::vector<MethodResult> methods;
 };
 
-struct StudyWatch {
-  std::function<void(std::size_t done, std::size_t all)> run_done;  ///< may be empty
-  std::function<bool()> go_on;                                      ///< may be empty
-};
-
 /// All runs of the problems one after the other, so that each has the machine to itself; short ones again,
 /// until they took 0.1 s or were run five times, and the median counts.
-/// @return results of the problems that came to their end before `go_on` said no.
+/// @return results of the problems that came to their end before the watch said no.
 [[nodiscard]] std::vector<ProblemResult> study_errors(const std::vector<Problem>& problems,
-                                                      const StudyWatch& watch);
+                                                      const Watch& watch);
 
 /// The fastest run whose error is at most `tolerance`; null where no run is that exact.
 struct Cheapest {

@@ -9,6 +9,7 @@
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/reproduce/trial.hpp"
+#include "apps/statistics/statistics.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"
 #include "apps/text/version.hpp"
@@ -82,12 +83,6 @@ void add_moving(std::vector<FeatureCase>& cases, int pixels) {
                    1e-6});
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double time_of(const mpm::Result& result) {
   return result.wall_time / (static_cast<double>(result.points) * static_cast<double>(result.steps));
 }
@@ -130,8 +125,8 @@ FeatureCost measure(const FeatureCase& it, int repeats) {
     cost.difference = difference_of(lean, full);
     cost.same_failures = same_maps(lean, full);
   }
-  cost.time_without = median(without);
-  cost.time_with = median(with);
+  cost.time_without = quantile_of(without, 0.5);
+  cost.time_with = quantile_of(with, 0.5);
   return cost;
 }
 
@@ -149,13 +144,12 @@ std::vector<FeatureCase> all_features(int pixels) {
 }
 
 std::vector<FeatureCost> measure_features(const std::vector<FeatureCase>& cases, int repeats,
-                                          const std::function<void(std::size_t, std::size_t)>& progress,
-                                          const std::function<bool()>& go_on) {
+                                          const Watch& watch) {
   std::vector<FeatureCost> costs;
   for (const FeatureCase& it : cases) {
-    if (go_on && !go_on()) break;
+    if (!watch.goes_on()) break;
     costs.push_back(measure(it, repeats));
-    if (progress) progress(costs.size(), cases.size());
+    watch.tell(costs.size(), cases.size());
   }
   return costs;
 }
@@ -192,19 +186,18 @@ std::string feature_html(const std::vector<FeatureCost>& costs) {
                     output::percent(cost.time_with / cost.time_without - 1), agreement_text(cost)});
   return output::page(
       feature_title,
-      fmt::format(
-          "<header>\n<h1>{}</h1>\n<p class=\"setting\">Runs by mesopix {} of the paper's specimen that do "
-          "without a feature, and the same runs with the feature compiled in all the same.</p>\n</header>\n",
-          feature_title, output::escape(version())) +
+      output::heading(
+          feature_title,
+          fmt::format("Runs by mesopix {} of the paper's specimen that do without a feature, and the "
+                      "same runs with the feature compiled in all the same.",
+                      version())) +
           output::section(
               "Nanoseconds a point and step, on one core",
               output::number_table({"Feature", "Left out where", "Without", "With", "Costs", "Results agree"},
                                    rows) +
-                  "<div class=\"remarks\">\n" +
-                  output::paragraph(
+                  output::remarks(output::paragraph(
                       "Medians of runs that took turns. Results agree when the same points fail in the "
-                      "same way and the stress differs by rounding, over its peak.") +
-                  "</div>\n"));
+                      "same way and the stress differs by rounding, over its peak."))));
 }
 
 std::string feature_csv(const std::vector<FeatureCost>& costs) {

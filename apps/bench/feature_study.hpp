@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/system/job_pool.hpp"
 #include "libmpm/scene/scene.hpp"
 #include "libmpm/solver/plan.hpp"
 
@@ -33,11 +34,9 @@ struct FeatureCost {
 /// @param pixels  along an edge of the square of concrete, a multiple of 4.
 [[nodiscard]] std::vector<FeatureCase> all_features(int pixels = 300);
 
-/// Run both plans of each in turn, `repeats` times.   @return those done before `go_on` said no.
-[[nodiscard]] std::vector<FeatureCost> measure_features(
-    const std::vector<FeatureCase>& cases, int repeats,
-    const std::function<void(std::size_t done, std::size_t all)>& progress,
-    const std::function<bool()>& go_on);
+/// Run both plans of each in turn, `repeats` times.   @return those done before the watch said no.
+[[nodiscard]] std::vector<FeatureCost> measure_features(const std::vector<FeatureCase>& cases, int repeats,
+                                                        const Watch& watch);
 
 /// A table for the console; as a page; with a line a feature.
 [[nodiscard]] std::string feature_text(const std::vector<FeatureCost>& costs);

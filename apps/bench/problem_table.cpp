@@ -122,8 +122,7 @@ std::vector<Problem> select_problems(const std::vector<std::string>& names) {
   for (const Problem& problem : all) known.push_back(problem.name);
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw Rejected(Exit::usage,
-                     complaint("--problem", name, "must be " + listed(known), did_you_mean(name, known)));
+      throw Rejected(Exit::usage, "--problem", name, "must be " + listed(known), did_you_mean(name, known));
   if (!names.empty())
     std::erase_if(all, [&](const Problem& problem) {
       return std::find(names.begin(), names.end(), problem.name) == names.end();

@@ -36,9 +36,7 @@ bool StabilityOutcome::holds() const {
                                       [](const StabilityRow& row) { return row.done && row.finding.holds; });
 }
 
-StabilityOutcome run_cases(const std::vector<const StabilityCase*>& cases, int workers,
-                           const std::function<void(std::size_t done, std::size_t all)>& progress,
-                           const std::function<bool()>& go_on) {
+StabilityOutcome run_cases(const std::vector<const StabilityCase*>& cases, int workers, const Watch& watch) {
   const Clock::time_point start = Clock::now();
   StabilityOutcome outcome;
   outcome.workers = workers;
@@ -47,19 +45,13 @@ StabilityOutcome run_cases(const std::vector<const StabilityCase*>& cases, int w
   std::vector<std::function<void()>> jobs;
   for (std::size_t i = 0; i < cases.size(); ++i)
     jobs.emplace_back([&outcome, &cases, i] { run_case(*cases[i], outcome.rows[i]); });
-  const Watch watch{[&](std::size_t done) {
-                      if (progress) progress(done, cases.size());
-                    },
-                    go_on};
   outcome.interrupted = run_jobs(jobs, workers, watch) < jobs.size();
   outcome.wall_time = seconds_since(start);
   return outcome;
 }
 
-StabilityOutcome run_stability(const StabilityOptions& options,
-                               const std::function<void(std::size_t done, std::size_t all)>& progress,
-                               const std::function<bool()>& go_on) {
-  return run_cases(select_cases(options.cases), options.workers, progress, go_on);
+StabilityOutcome run_stability(const StabilityOptions& options, const Watch& watch) {
+  return run_cases(select_cases(options.cases), options.workers, watch);
 }
 
 namespace {
@@ -86,8 +78,7 @@ void check_name(const std::string& name) {
   std::vector<std::string> names;
   for (const StabilityCase& one : stability_cases()) names.push_back(one.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  throw Rejected(Exit::usage,
-                 complaint("--case", name, "must be one of " + listed(names), did_you_mean(name, names)));
+  throw Rejected(Exit::usage, "--case", name, "must be one of " + listed(names), did_you_mean(name, names));
 }
 
 }  // namespace

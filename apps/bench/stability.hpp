@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/system/job_pool.hpp"
+
 namespace app::bench {
 
 /// What a case found.
@@ -61,18 +63,12 @@ struct StabilityOutcome {
   [[nodiscard]] bool holds() const;
 };
 
-/// @param progress  called after each case, by one thread at a time; may be empty.
-/// @param go_on     no further case is begun once it says no; may be empty.
 /// @throws Rejected for a name that is no case. What a case throws is its finding.
-[[nodiscard]] StabilityOutcome run_stability(
-    const StabilityOptions& options, const std::function<void(std::size_t done, std::size_t all)>& progress,
-    const std::function<bool()>& go_on);
+[[nodiscard]] StabilityOutcome run_stability(const StabilityOptions& options, const Watch& watch);
 
 /// The same for cases of one's own.
-[[nodiscard]] StabilityOutcome run_cases(
-    const std::vector<const StabilityCase*>& cases, int workers,
-    const std::function<void(std::size_t done, std::size_t all)>& progress,
-    const std::function<bool()>& go_on);
+[[nodiscard]] StabilityOutcome run_cases(const std::vector<const StabilityCase*>& cases, int workers,
+                                         const Watch& watch);
 
 /// A table for the terminal, with the figures of each case and a line that sums up.
 [[nodiscard]] std::string stability_text(const StabilityOutcome& outcome);

@@ -7,6 +7,7 @@
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/text/markup.hpp"
+#include "apps/text/text_parts.hpp"
 #include "apps/text/version.hpp"
 
 namespace app::bench {
@@ -49,10 +50,7 @@ std::string sections(const StabilityOutcome& outcome) {
     for (; row != outcome.rows.end() && row->group == group; ++row) rows += html_row(*row);
     html += output::section(
         group,
-        "<div class=\"scroll\">\n<table class=\"claims\">\n<thead><tr><th scope=\"col\">Case</th>"
-        "<th scope=\"col\">What must happen, and what was seen</th><th scope=\"col\">s</th>"
-        "<th scope=\"col\">Verdict</th></tr></thead>\n<tbody>\n" +
-            rows + "</tbody>\n</table>\n</div>\n");
+        output::table("claims", {"Case", "What must happen, and what was seen", "s", "Verdict"}, rows));
   }
   return html;
 }
@@ -71,13 +69,6 @@ std::string in_lines(const std::string& text, const std::string& indent) {
     at = end + 1;
   }
   return lines + "\n";
-}
-
-/// A cell between quotes, which are doubled inside.
-std::string quoted_cell(const std::string& text) {
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
 }
 
 }  // namespace
@@ -99,11 +90,9 @@ std::string stability_text(const StabilityOutcome& outcome) {
 
 std::string stability_html(const StabilityOutcome& outcome) {
   const std::string title = "Limits of the solver";
-  const std::string header = fmt::format(
-      "<header>\n<h1>{}</h1>\n<p class=\"setting\">Runs at the edge of what mesopix {} bears, each with what "
-      "must "
-      "come of it: {}.</p>\n</header>\n",
-      title, escape(version()), escape(summary(outcome)));
+  const std::string header = output::heading(
+      title, fmt::format("Runs at the edge of what mesopix {} bears, each with what must come of it: {}.",
+                         version(), summary(outcome)));
   return output::page(title, header + sections(outcome));
 }
 

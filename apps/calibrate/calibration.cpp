@@ -134,7 +134,7 @@ class Calibrator {
   /// Run the scene as it will be written, with the seeds of the search and with others.
   void finish() {
     if (result_.best_evaluation().figures.size() == 0)
-      throw Rejected(Exit::data, complaint("calibrate", "no run can be used", trouble_));
+      throw Rejected(Exit::data, "calibrate", "no run can be used", trouble_);
     result_.settings = scaled(result_.best_evaluation().factors);
     result_.misfit = result_.best_evaluation().misfit;
     make_room(result_.settings.scene.loading);

@@ -26,14 +26,12 @@ std::string wanted_free(const CalibrationWish& wish, const Target& target) {
 
 }  // namespace
 
-Target read_target(const CalibrationWish& wish, TargetCurve measured) {
+Target read_target(const CalibrationWish& wish, Curve measured) {
   const bool peak = !wish.peak_stress.empty() || !wish.peak_strain.empty();
   if (peak != (wish.curve.empty() && measured.empty()))
-    throw Rejected(
-        Exit::usage,
-        complaint(option_name("target"), peak ? "given beside a peak" : "no target is given",
-                  fmt::format("a target is {}, {} or both, or {} CURVE.csv", option_name("peak-stress"),
-                              option_name("peak-strain"), option_name("target"))));
+    throw Rejected(Exit::usage, option_name("target"), peak ? "given beside a peak" : "no target is given",
+                   fmt::format("a target is {}, {} or both, or {} CURVE.csv", option_name("peak-stress"),
+                               option_name("peak-strain"), option_name("target")));
   Target target;
   target.curve = wish.curve.empty() ? std::move(measured) : read_target_curve(wish.curve);
   if (!wish.peak_stress.empty())
@@ -47,9 +45,9 @@ Target read_target(const CalibrationWish& wish, TargetCurve measured) {
 
 void check_loading(const mpm::Scene& scene) {
   if (scene.loading.direction != mpm::Direction::none) return;
-  throw Rejected(Exit::data, complaint("loading.direction", "none",
-                                       "must be tension or compression: a peak is that of a "
-                                       "stress-strain curve between platens"));
+  throw Rejected(Exit::data, "loading.direction", "none",
+                 "must be tension or compression: a peak is that of a "
+                 "stress-strain curve between platens");
 }
 
 CalibrationTask make_task(const Job& job, Target target, const CalibrationWish& wish) {

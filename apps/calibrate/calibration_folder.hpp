@@ -24,7 +24,7 @@ struct CalibrationWish {
 
 /// @param measured  a curve that is there already, in place of a file; empty = none.
 /// @throws Rejected for none or more than one target, and for what cannot be read.
-[[nodiscard]] Target read_target(const CalibrationWish& wish, TargetCurve measured = {});
+[[nodiscard]] Target read_target(const CalibrationWish& wish, Curve measured = {});
 
 /// @throws Rejected for a run without platens.
 void check_loading(const mpm::Scene& scene);

@@ -148,8 +148,6 @@ using output::Ink;
 using output::Series;
 using output::StrainUnit;
 
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-
 /// Beyond, a broken specimen only trembles, and hides what was fitted.
 double last_strain_shown(const Target& target, const Calibration& calibration) {
   double farthest = 0;
@@ -160,31 +158,26 @@ double last_strain_shown(const Target& target, const Calibration& calibration) {
 
 StrainUnit unit_of(const Calibration& calibration) {
   double largest = 0;
-  for (const SeedRun& run : calibration.runs) largest = std::max(largest, run.strain.back());
+  for (const SeedRun& run : calibration.runs) largest = std::max(largest, run.curve.last_strain());
   return output::strain_unit(largest);
 }
 
-void add_curve(Series& series, const std::vector<double>& strain, const std::vector<double>& stress,
-               const StrainUnit& unit, double last_strain) {
-  for (std::size_t i = 0; i < strain.size() && strain[i] <= last_strain; ++i) {
-    series.x.push_back(unit.per_strain * strain[i]);
-    series.y.push_back(1e-6 * stress[i]);
-  }
-  series.x.push_back(gap);
-  series.y.push_back(gap);
+void add_curve(Series& series, const Curve& curve, const StrainUnit& unit, double last_strain) {
+  const auto end = std::upper_bound(curve.strain.begin(), curve.strain.end(), last_strain);
+  output::add_line(series, {curve.strain.begin(), end}, curve.stress, unit.per_strain, 1e-6);
 }
 
 /// The curves of several runs as one line with gaps.
 Series runs_series(const std::string& name, Ink ink, const std::vector<SeedRun>& runs, const StrainUnit& unit,
                    double last_strain) {
-  Series series{fmt::format("{}, {} seed{}", name, runs.size(), runs.size() == 1 ? "" : "s"), {}, {}, ink};
-  for (const SeedRun& run : runs) add_curve(series, run.strain, run.stress, unit, last_strain);
+  Series series{name + ", " + counted(std::ssize(runs), "seed"), {}, {}, ink};
+  for (const SeedRun& run : runs) add_curve(series, run.curve, unit, last_strain);
   return series;
 }
 
-Series target_curve_series(const TargetCurve& curve, const StrainUnit& unit) {
+Series target_curve_series(const Curve& curve, const StrainUnit& unit) {
   Series series{"target", {}, {}, Ink::text, true};
-  add_curve(series, curve.strain, curve.stress, unit, curve.last_strain());
+  add_curve(series, curve, unit, curve.last_strain());
   return series;
 }
 
@@ -295,8 +288,7 @@ std::string header(const CalibrationTask& task, const Calibration& calibration, 
   const std::string setting =
       fmt::format("{} fitted to {}", output::capitalised(output::name_of_loading(task.settings.scene)),
                   target_text(task.target));
-  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"setting\">{}</p>\n</header>\n", output::escape(title),
-                     output::escape(setting)) +
+  return output::heading(title, setting) +
          (unmet.empty() ? ""
                         : output::section("Not met", output::paragraph(output::capitalised(unmet) + ".")));
 }

@@ -21,15 +21,11 @@ struct Column {
   std::string unit;
 };
 
-std::size_t index_of_peak(const std::vector<double>& stress) {
-  return static_cast<std::size_t>(std::max_element(stress.begin(), stress.end()) - stress.begin());
-}
-
 class CurveReader : public TableReader {
  public:
   using TableReader::TableReader;
 
-  TargetCurve read(const std::string& text) {
+  Curve read(const std::string& text) {
     read_lines(text);
     check_whole();
     if (!complaints_.empty()) throw Rejected(Exit::data, complaints_);
@@ -88,20 +84,16 @@ class CurveReader : public TableReader {
   }
 
   std::optional<Column> strain_, stress_;
-  TargetCurve curve_;
+  Curve curve_;
 };
 
 }  // namespace
 
-double TargetCurve::peak_stress() const { return stress[index_of_peak(stress)]; }
-
-double TargetCurve::peak_strain() const { return strain[index_of_peak(stress)]; }
-
-TargetCurve parse_target_curve(const std::string& text, const std::string& path) {
+Curve parse_target_curve(const std::string& text, const std::string& path) {
   return CurveReader(path).read(text);
 }
 
-TargetCurve read_target_curve(const std::string& path) {
+Curve read_target_curve(const std::string& path) {
   return parse_target_curve(read_text_file(path, longest_table), path);
 }
 
@@ -120,7 +112,7 @@ Figures peak_figures(const Target& target, const Peak& peak) {
 }
 
 template <class StressAt>
-Figures curve_figures(const TargetCurve& curve, const StressAt& stress_at_strain) {
+Figures curve_figures(const Curve& curve, const StressAt& stress_at_strain) {
   Figures figures(samples);
   const double first = curve.strain.front();
   for (int i = 0; i < samples; ++i) {
@@ -142,7 +134,7 @@ double mean_stress_at(const std::vector<SeedRun>& runs, double strain) {
   const Peak peak = mean_peak(runs);
   double stress = 0;
   for (const SeedRun& run : runs)
-    stress += stress_at(run, strain * run.peak_strain / peak.strain) / run.peak_stress;
+    stress += stress_at(run.curve, strain * run.peak_strain / peak.strain) / run.peak_stress;
   return peak.stress * stress / static_cast<double>(runs.size());
 }
 
@@ -154,8 +146,7 @@ Figures figures_of(const Target& target, const std::vector<SeedRun>& runs) {
 Figures figures_of(const Target& target) {
   if (target.curve.empty())
     return peak_figures(target, {target.peak_stress.value_or(0), target.peak_strain.value_or(0)});
-  const SeedRun wanted{0, 0, 0, target.curve.strain, target.curve.stress};
-  return curve_figures(target.curve, [&](double strain) { return stress_at(wanted, strain); });
+  return curve_figures(target.curve, [&](double strain) { return stress_at(target.curve, strain); });
 }
 
 double mean_square(const Figures& figures, const Figures& wanted) {

@@ -1,4 +1,3 @@
-/// A measured stress-strain curve, as a calibration aims at it.
 /// What a calibration aims at, and how far off runs are.
 /// What one set of parameters gave.
 #pragma once
@@ -12,26 +11,15 @@
 
 namespace app {
 
-/// Stress over strain, positive in the direction of the loading; strains do not fall.
-struct TargetCurve {
-  std::vector<double> strain;  ///< [-]
-  std::vector<double> stress;  ///< [Pa], same length
-
-  [[nodiscard]] bool empty() const { return strain.empty(); }
-  [[nodiscard]] double last_strain() const { return strain.back(); }
-  [[nodiscard]] double peak_stress() const;  ///< [Pa]
-  [[nodiscard]] double peak_strain() const;  ///< where the stress is highest
-};
-
 /// Columns "strain" (or "strain_%", "strain_microstrain") and "stress_MPa" (or _Pa, _kPa, _GPa) of a table
 /// with a header and cells between commas; further columns are skipped, so that curve.csv of a run will do.
 /// Empty lines and lines that begin with # are skipped too.
 /// @throws Rejected (Exit::data) with every mistake at its line and column, (Exit::io) when the file cannot
 /// be read.
-[[nodiscard]] TargetCurve read_target_curve(const std::string& path);
+[[nodiscard]] Curve read_target_curve(const std::string& path);
 
 /// The same from text; `path` is for the messages.
-[[nodiscard]] TargetCurve parse_target_curve(const std::string& text, const std::string& path);
+[[nodiscard]] Curve parse_target_curve(const std::string& text, const std::string& path);
 
 /// Of a stress-strain curve.
 struct Peak {
@@ -43,7 +31,7 @@ struct Peak {
 struct Target {
   std::optional<double> peak_stress;  ///< [Pa], > 0
   std::optional<double> peak_strain;  ///< [-], > 0
-  TargetCurve curve;                  ///< empty where a peak is aimed at
+  Curve curve;                        ///< empty where a peak is aimed at
 
   /// The peak of the curve in its place: aimed at first, since a curve says nothing of peaks far from it.
   [[nodiscard]] Target peak_of_curve() const;

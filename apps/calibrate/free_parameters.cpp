@@ -19,7 +19,7 @@ constexpr double default_range = 20;    ///< times and parts of the start
 constexpr double inside_share = 0.999;  ///< of the way from the start to a bound of the setting
 
 [[noreturn]] void refuse(const std::string& item, std::string allowed, std::string cure = {}) {
-  throw Rejected(Exit::usage, complaint(option_name("free"), item, std::move(allowed), std::move(cure)));
+  throw Rejected(Exit::usage, option_name("free"), item, std::move(allowed), std::move(cure));
 }
 
 double rounded(double value) { return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr); }

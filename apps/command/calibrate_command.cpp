@@ -1,4 +1,4 @@
-#include "apps/command/run_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ constexpr const char* calibrate_footer =
 
 Calibration fit(const CalibrationTask& task, Console& console) {
   const InterruptGuard guard;
-  TerminalLine line(console.err, console.err_is_terminal && !console.quiet);
+  TerminalLine line(console);
   line.show(fmt::format("the scene as it is, {} seeds", task.seeds));
   return calibrate(
       task, [&] { return guard.interrupted(); },
@@ -56,68 +56,65 @@ Exit exit_of(const CalibrationTask& task, const Calibration& calibration, const 
     return Exit::interrupted;
   }
   if (const std::string unmet = why_not_met(task, calibration); !unmet.empty())
-    throw Rejected(Exit::data, complaint("calibrate", unmet, "what was found is in " + folder.string()));
+    throw Rejected(Exit::data, "calibrate", unmet, "what was found is in " + folder.string());
   return Exit::ok;
 }
 
+class CalibrateCommand : public SettingsCommand {
+ public:
+  explicit CalibrateCommand(CLI::App& program)
+      : SettingsCommand(program, "calibrate", "Fit parameters of a scene to a measured peak or curve",
+                        calibrate_footer, offer_of_calibrate()) {
+    option("SCENE", input_, "scene.toml, where the search begins", file_form({"toml"}));
+    option("--peak-stress", wish_.peak_stress, "to be met by the mean of the seeds",
+           QuantityCodec{Dimension::pressure}.form());
+    option("--peak-strain", wish_.peak_strain,
+           "strain of the platens at that stress, 75e-6 or \"75 microstrain\"", QuantityCodec().form());
+    option("--target", wish_.curve, "whole curve to be met, in place of a peak",
+           file_form({"csv"}, "CURVE.csv"));
+    option("--free", wish_.free, "what may change, see below", text_form("PARAMETER,..."));
+    option("--seeds", wish_.seeds, "runs of each set of parameters, with damage.seed and those after it [4]",
+           WholeNumberCodec().form());
+    option("--tolerance", wish_.tolerance, "misfit at which the search ends [0.5 %]", QuantityCodec().form());
+    option("--max-evaluations", wish_.evaluations, "sets of parameters to try at most [100]",
+           WholeNumberCodec().form());
+    folder_and_overwrite("runs/SCENE-calibration, ...");
+    json_and_quiet("calibration.json on standard output too");
+  }
+
+  Exit run(Console& console) override {
+    require(input_, "SCENE", "mesopix calibrate SCENE");
+    Target target = read_target(wish_);
+    Resolved resolved = resolve_scene(input_, settings_.assignments());
+    console.locate = located_by(resolved.origins);
+    Settings& settings = resolved.settings;
+    check_loading(settings.scene);
+    settle_source(settings);
+    if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
+    const Job job = make_job(std::move(settings), console);
+    const CalibrationTask task = make_task(job, std::move(target), wish_);
+    const FreshFolder folder(
+        make_run_folder(output_, fs::path(input_).stem().string() + "-calibration", overwrite_));
+    const Calibration calibration = fit(task, console);
+    if (calibration.history.empty()) {
+      console.say("interrupted before anything was found");
+      return Exit::interrupted;
+    }
+    const Attempts written = write_calibration(folder.path(), task, calibration);
+    for (const std::string& line : outcome_lines(task, calibration)) console.say(line);
+    if (json_) console.out << json_text(calibration_json(task, calibration));
+    written.conclude();
+    console.say("wrote " + folder.path().string());
+    return exit_of(task, calibration, folder.path(), console);
+  }
+
+ private:
+  std::string input_;
+  CalibrationWish wish_;
+};
+
 }  // namespace
 
-CalibrateCommand::CalibrateCommand(CLI::App& program)
-    : Command(program, "calibrate", "Fit parameters of a scene to a measured peak or curve",
-              calibrate_footer),
-      settings_(options(), offer_of_calibrate()) {
-  options().value("SCENE", input_, "scene.toml, where the search begins", file_form({"toml"}));
-  options().value("--peak-stress", wish_.peak_stress, "to be met by the mean of the seeds",
-                  QuantityCodec{Dimension::pressure}.form());
-  options().value("--peak-strain", wish_.peak_strain,
-                  "strain of the platens at that stress, 75e-6 or \"75 microstrain\"",
-                  QuantityCodec().form());
-  options().value("--target", wish_.curve, "whole curve to be met, in place of a peak",
-                  file_form({"csv"}, "CURVE.csv"));
-  options().value("--free", wish_.free, "what may change, see below", text_form("PARAMETER,..."));
-  options().value("--seeds", wish_.seeds,
-                  "runs of each set of parameters, with damage.seed and those after it [4]",
-                  WholeNumberCodec().form());
-  options().value("--tolerance", wish_.tolerance, "misfit at which the search ends [0.5 %]",
-                  QuantityCodec().form());
-  options().value("--max-evaluations", wish_.evaluations, "sets of parameters to try at most [100]",
-                  WholeNumberCodec().form());
-  options().value("-o,--output", output_, "folder [runs/SCENE-calibration, ...]", folder_form());
-  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
-  options().add_flag("--json", json_, "calibration.json on standard output too");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-std::vector<std::string> CalibrateCommand::prepare(const std::vector<std::string>& arguments) {
-  return settings_.take_phase_options(arguments);
-}
-
-Exit CalibrateCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (input_.empty())
-    throw Rejected(Exit::usage, complaint("SCENE", "missing", "", "mesopix calibrate SCENE"));
-  Target target = read_target(wish_);
-  Resolved resolved = resolve_scene(input_, settings_.assignments());
-  console.locate = located_by(resolved.origins);
-  Settings& settings = resolved.settings;
-  check_loading(settings.scene);
-  settle_source(settings);
-  if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
-  const Job job = make_job(std::move(settings), console);
-  const CalibrationTask task = make_task(job, std::move(target), wish_);
-  const FreshFolder folder(
-      make_run_folder(output_, fs::path(input_).stem().string() + "-calibration", overwrite_));
-  const Calibration calibration = fit(task, console);
-  if (calibration.history.empty()) {
-    console.say("interrupted before anything was found");
-    return Exit::interrupted;
-  }
-  const Attempts written = write_calibration(folder.path(), task, calibration);
-  for (const std::string& line : outcome_lines(task, calibration)) console.say(line);
-  if (json_) console.out << json_text(calibration_json(task, calibration));
-  written.conclude();
-  console.say("wrote " + folder.path().string());
-  return exit_of(task, calibration, folder.path(), console);
-}
+CommandPointer calibrate_command(CLI::App& parent) { return std::make_unique<CalibrateCommand>(parent); }
 
 }  // namespace app

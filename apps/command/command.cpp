@@ -44,4 +44,18 @@ std::string exit_summary() {
   return text;
 }
 
+Exit Command::execute(Console& console) {
+  for (const CommandPointer& command : below_)
+    if (command->options().parsed()) {
+      refuse_remaining(command->options());
+      return command->execute(console);
+    }
+  console.quiet = quiet_;
+  return run(console);
+}
+
+void Command::require(const std::string& argument, const std::string& name, const std::string& usage) {
+  if (argument.empty()) throw Rejected(Exit::usage, name, "missing", "", usage);
+}
+
 }  // namespace app

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/command/command_line.hpp"
@@ -25,6 +27,9 @@ struct ExitMeaning {
 /// "0 done, 64 wrong usage, ...", in lines of less than 100 letters.
 [[nodiscard]] std::string exit_summary();
 
+class Command;
+using CommandPointer = std::unique_ptr<Command>;
+
 class Command {
  public:
   virtual ~Command() = default;
@@ -38,8 +43,9 @@ class Command {
     return arguments;
   }
 
-  /// Do what the parsed options say.   @throws Rejected and the exceptions of the libraries.
-  virtual Exit run(Console& console) = 0;
+  /// Do what the parsed options say, or what those of the command below that was named say.
+  /// @throws Rejected and the exceptions of the libraries.
+  Exit execute(Console& console);
 
  protected:
   /// @param parent  the program, or the options of a command that has this one below it.
@@ -52,8 +58,69 @@ class Command {
     options_.allow_extras();
   }
 
+  /// Of this command itself, which is as quiet as it was told to be.
+  virtual Exit run(Console& console) = 0;
+
+  template <class T>
+  CLI::Option* option(const std::string& names, T& value, const std::string& help, Form form) {
+    return options_.value(names, value, help, std::move(form));
+  }
+  void flag(const std::string& names, bool& value, const std::string& help) {
+    options_.add_flag(names, value, help);
+  }
+  void json_and_quiet(const std::string& json_help) {
+    flag("--json", json_, json_help);
+    flag("-q,--quiet", quiet_, "say nothing but errors");
+  }
+
+  /// @param usual  folder, where none is given.
+  void folder_and_overwrite(const std::string& usual) {
+    option("-o,--output", output_, "folder [" + usual + "]", folder_form());
+    flag("--overwrite", overwrite_, "write into a folder that is not empty");
+  }
+
+  /// @throws Rejected (Exit::usage) for an argument that was not given.
+  /// @param usage  of the command, to show what is missing.
+  static void require(const std::string& argument, const std::string& name, const std::string& usage);
+
+  std::vector<CommandPointer> below_;  ///< commands of its own
+  std::string output_;
+  bool overwrite_ = false;
+  bool json_ = false;
+  bool quiet_ = false;
+
  private:
   Options& options_;
 };
+
+/// One that has settings of the scene among its options.
+class SettingsCommand : public Command {
+ public:
+  std::vector<std::string> prepare(const std::vector<std::string>& arguments) override {
+    return settings_.take_phase_options(arguments);
+  }
+
+ protected:
+  SettingsCommand(CLI::App& parent, const std::string& name, const std::string& description,
+                  const std::string& example, Offer offer)
+      : Command(parent, name, description, example), settings_(options(), std::move(offer)) {}
+
+  SettingOptions settings_;
+};
+
+// The commands below the program.
+[[nodiscard]] CommandPointer generate_command(CLI::App& program);   ///< random or listed ellipses -> specimen
+[[nodiscard]] CommandPointer convert_command(CLI::App& program);    ///< picture -> specimen
+[[nodiscard]] CommandPointer twin_command(CLI::App& program);       ///< random specimens like a picture
+[[nodiscard]] CommandPointer scene_command(CLI::App& program);      ///< begin a scene, check and describe it
+[[nodiscard]] CommandPointer simulate_command(CLI::App& program);   ///< break a specimen
+[[nodiscard]] CommandPointer study_command(CLI::App& program);      ///< a scene many times
+[[nodiscard]] CommandPointer calibrate_command(CLI::App& program);  ///< fit a scene to a peak or a curve
+[[nodiscard]] CommandPointer inspect_command(CLI::App& program);    ///< what is in a file
+[[nodiscard]] CommandPointer report_command(CLI::App& program);     ///< several runs on one page
+[[nodiscard]] CommandPointer plot_command(CLI::App& program);       ///< pictures for papers and slides
+[[nodiscard]] CommandPointer export_command(CLI::App& program);     ///< formats of other programs
+[[nodiscard]] CommandPointer doctor_command(CLI::App& program);     ///< whether machine and program are ready
+[[nodiscard]] CommandPointer help_command(CLI::App& program);       ///< how a command is used
 
 }  // namespace app

@@ -178,14 +178,13 @@ std::vector<std::string> SettingOptions::take_phase_options(const std::vector<st
 Assignment SettingOptions::from_set(const std::string& text) const {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
-    throw Rejected(Exit::usage, complaint("--set", text, "must be KEY=VALUE",
-                                          "write e.g. --set \"loading.velocity=0.1 m/s\""));
+    throw Rejected(Exit::usage, "--set", text, "must be KEY=VALUE",
+                   "write e.g. --set \"loading.velocity=0.1 m/s\"");
   const std::string key = text.substr(0, equals);
   const std::string value = text.substr(equals + 1);
   const auto field = find_field(key);
   if (!field) throw Rejected(Exit::usage, unknown_key({}, "--set " + key, suggest_key(key, Settings())));
-  if (!offer_.has(key))
-    throw Rejected(Exit::usage, complaint("--set " + key, "has no effect here", "remove it"));
+  if (!offer_.has(key)) throw Rejected(Exit::usage, "--set " + key, "has no effect here", "remove it");
   return given_as_option(key, field->form.kind, "--set " + key, value);
 }
 
@@ -199,7 +198,7 @@ std::vector<Assignment> SettingOptions::assignments() const {
   std::set<std::string> keys;
   for (const Assignment& one : given)
     if (!keys.insert(one.key).second)
-      throw Rejected(Exit::usage, complaint(one.field, one.written, "is given twice", "give it once"));
+      throw Rejected(Exit::usage, one.field, one.written, "is given twice", "give it once");
   return given;
 }
 

@@ -1,4 +1,4 @@
-#include "apps/command/specimen_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -38,47 +38,49 @@ nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specime
   return result;
 }
 
+class ConvertCommand : public SettingsCommand {
+ public:
+  explicit ConvertCommand(CLI::App& program)
+      : SettingsCommand(program, "convert", "Turn a picture into a specimen", convert_footer,
+                        offer_of_convert()) {
+    option("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one",
+           file_form(picture_endings({"toml"})));
+    option("-o,--output", output_, "specimen file (.h5) or label picture [PICTURE with .h5]",
+           file_form(picture_endings({"h5"})));
+    option("--reference", reference_, "label picture to compare with: intersection over union per phase",
+           file_form(picture_endings(), "LABELS"));
+    json_and_quiet("figures as JSON on standard output");
+  }
+
+  Exit run(Console& console) override {
+    require(input_, "PICTURE", "mesopix convert PICTURE");
+    Resolved resolved = resolve_picture(input_, settings_.assignments());
+    console.locate = located_by(resolved.origins);
+    settle_source(resolved.settings);
+    const std::string picture = resolved.settings.specimen.picture;
+    const std::string output =
+        output_.empty() ? std::filesystem::path(picture).filename().replace_extension(".h5").string()
+                        : output_;
+    check_output(output, picture);
+    const Prepared prepared = prepare_specimen(resolved.settings);
+    auto figures = specimen_json(prepared.specimen, {});
+    if (!reference_.empty())
+      figures["intersection_over_union"] =
+          compare(prepared.segmentation, resolved.settings.convert, reference_);
+    report_specimen(console, json_, prepared, figures, write_specimen_output(output, prepared.specimen));
+    if (!reference_.empty() && !json_)
+      for (const auto& [phase, share] : figures["intersection_over_union"].items())
+        console.say(fmt::format("  {:<12} IoU {:.4f}", phase, share.get<double>()));
+    return Exit::ok;
+  }
+
+ private:
+  std::string input_;
+  std::string reference_;
+};
+
 }  // namespace
 
-ConvertCommand::ConvertCommand(CLI::App& program)
-    : Command(program, "convert", "Turn a picture into a specimen", convert_footer),
-      settings_(options(), offer_of_convert()) {
-  options().value("PICTURE", input_, "PNG, TIFF, BMP, JPEG, PGM or PPM, or a scene.toml that names one",
-                  file_form(picture_endings({"toml"})));
-  options().value("-o,--output", output_, "specimen file (.h5) or label picture [PICTURE with .h5]",
-                  file_form(picture_endings({"h5"})));
-  options().value("--reference", reference_,
-                  "label picture to compare with: intersection over union per phase",
-                  file_form(picture_endings(), "LABELS"));
-  options().add_flag("--json", json_, "figures as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-std::vector<std::string> ConvertCommand::prepare(const std::vector<std::string>& arguments) {
-  return settings_.take_phase_options(arguments);
-}
-
-Exit ConvertCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (input_.empty())
-    throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix convert PICTURE"));
-  Resolved resolved = resolve_picture(input_, settings_.assignments());
-  console.locate = located_by(resolved.origins);
-  settle_source(resolved.settings);
-  const std::string picture = resolved.settings.specimen.picture;
-  const std::string output =
-      output_.empty() ? std::filesystem::path(picture).filename().replace_extension(".h5").string() : output_;
-  check_output(output, picture);
-  const Prepared prepared = prepare_specimen(resolved.settings);
-  auto figures = specimen_json(prepared.specimen, {});
-  if (!reference_.empty())
-    figures["intersection_over_union"] =
-        compare(prepared.segmentation, resolved.settings.convert, reference_);
-  report_specimen(console, json_, prepared, figures, write_specimen_output(output, prepared.specimen));
-  if (!reference_.empty() && !json_)
-    for (const auto& [phase, share] : figures["intersection_over_union"].items())
-      console.say(fmt::format("  {:<12} IoU {:.4f}", phase, share.get<double>()));
-  return Exit::ok;
-}
+CommandPointer convert_command(CLI::App& parent) { return std::make_unique<ConvertCommand>(parent); }
 
 }  // namespace app

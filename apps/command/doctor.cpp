@@ -47,16 +47,13 @@ Finding about_processor(const Machine& machine) {
   return ok("processor", text);
 }
 
-std::string cores_text(int cores) { return fmt::format("{} core{}", cores, cores == 1 ? "" : "s"); }
-
 Finding about_threads(const Machine& machine) {
-  const std::string text =
-      fmt::format("{}, {} idle; a run takes up to {} thread{}", cores_text(machine.cores), machine.idle_cores,
-                  machine.idle_cores, machine.idle_cores == 1 ? "" : "s");
+  const std::string text = fmt::format("{}, {} idle; a run takes up to {}", counted(machine.cores, "core"),
+                                       machine.idle_cores, counted(machine.idle_cores, "thread"));
   if (machine.quota > 0 && machine.quota < machine.cores)
     return warning("threads",
-                   fmt::format("{}, and the container may use the time of {:.3g}", cores_text(machine.cores),
-                               machine.quota),
+                   fmt::format("{}, and the container may use the time of {:.3g}",
+                               counted(machine.cores, "core"), machine.quota),
                    fmt::format("give --threads {0} to simulate, --jobs {0} to study",
                                std::max(1, static_cast<int>(machine.quota))));
   if (machine.cores == 1)
@@ -152,16 +149,8 @@ std::string slurm_version() {
   }
 }
 
-const char* word_of(Health health) {
-  switch (health) {
-    case Health::ok:
-      return "ok";
-    case Health::warning:
-      return "warning";
-    case Health::failed:
-      return "failed";
-  }
-  return "";
+std::string word_of(Health health) {
+  return word_in({{Health::ok, "ok"}, {Health::warning, "warning"}, {Health::failed, "failed"}}, health);
 }
 
 Json finding_json(const Finding& finding) {

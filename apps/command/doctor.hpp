@@ -1,13 +1,11 @@
 /// Two runs with known answers, in two seconds.
 /// What is well with this machine and this program, and what is not.
-/// mesopix doctor: whether this machine and this program are ready.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "apps/command/command.hpp"
 #include "apps/system/machine.hpp"
 #include "apps/system/terminal.hpp"
 #include "apps/text/complaint.hpp"
@@ -75,15 +73,5 @@ struct Examination {
 /// Findings and the figures that they go by.
 [[nodiscard]] nlohmann::ordered_json examination_json(const Examination& examination,
                                                       const std::vector<Finding>& findings);
-
-class DoctorCommand : public Command {
- public:
-  explicit DoctorCommand(CLI::App& program);
-  Exit run(Console& console) override;
-
- private:
-  bool json_ = false;
-  bool quiet_ = false;
-};
 
 }  // namespace app

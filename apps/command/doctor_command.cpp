@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/command/command.hpp"
 #include "apps/text/markup.hpp"
 
 namespace app {
@@ -16,23 +17,30 @@ constexpr const char* doctor_footer =
     "Example:\n"
     "  mesopix doctor";
 
+class DoctorCommand : public Command {
+ public:
+  explicit DoctorCommand(CLI::App& program)
+      : Command(program, "doctor", "Tell whether this machine and this program are ready", doctor_footer) {
+    flag("--json", json_, "findings and figures as JSON");
+    flag("-q,--quiet", quiet_, "only what is not well");
+  }
+
+  Exit run(Console& console) override {
+    const Examination examination = examine(console.err_is_terminal);
+    const std::vector<Finding> all = findings_of(examination);
+    const std::vector<Finding> findings = quiet_ ? unwell(all) : all;
+    if (json_)
+      console.out << json_text(examination_json(examination, findings));
+    else
+      console.out << findings_text(findings);
+    return code_of(findings);
+  }
+
+ private:
+};
+
 }  // namespace
 
-DoctorCommand::DoctorCommand(CLI::App& program)
-    : Command(program, "doctor", "Tell whether this machine and this program are ready", doctor_footer) {
-  options().add_flag("--json", json_, "findings and figures as JSON");
-  options().add_flag("-q,--quiet", quiet_, "only what is not well");
-}
-
-Exit DoctorCommand::run(Console& console) {
-  const Examination examination = examine(console.err_is_terminal);
-  const std::vector<Finding> all = findings_of(examination);
-  const std::vector<Finding> findings = quiet_ ? unwell(all) : all;
-  if (json_)
-    console.out << json_text(examination_json(examination, findings));
-  else
-    console.out << findings_text(findings);
-  return code_of(findings);
-}
+CommandPointer doctor_command(CLI::App& parent) { return std::make_unique<DoctorCommand>(parent); }
 
 }  // namespace app

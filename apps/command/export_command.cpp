@@ -1,4 +1,4 @@
-#include "apps/command/output_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/command/export_formats.hpp"
 #include "apps/system/files.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/markup.hpp"
@@ -36,19 +37,19 @@ const ExportFormat& format_named(const std::string& name) {
   const std::vector<std::string> names = format_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw Rejected(Exit::usage, complaint("--to", name.empty() ? "missing" : name, "must be " + listed(names),
-                                          did_you_mean(name, names)));
+    throw Rejected(Exit::usage, "--to", name.empty() ? "missing" : name, "must be " + listed(names),
+                   did_you_mean(name, names));
   return export_formats()[static_cast<std::size_t>(found - names.begin())];
 }
 
 exchange::PlaneElement plane_of(const std::string& name, const ExportFormat& format) {
   if (name.empty()) return exchange::PlaneElement::stress;
   if (!format.has_plane_elements)
-    throw Rejected(Exit::usage, complaint("--plane", std::string("given with --to ") + format.name,
-                                          "belongs to --to inp"));
+    throw Rejected(Exit::usage, "--plane", std::string("given with --to ") + format.name,
+                   "belongs to --to inp");
   if (name != "stress" && name != "strain")
-    throw Rejected(Exit::usage, complaint("--plane", name, "must be stress or strain",
-                                          did_you_mean(name, {"stress", "strain"})));
+    throw Rejected(Exit::usage, "--plane", name, "must be stress or strain",
+                   did_you_mean(name, {"stress", "strain"}));
   return name == "stress" ? exchange::PlaneElement::stress : exchange::PlaneElement::strain;
 }
 
@@ -60,8 +61,8 @@ std::optional<specimen::Specimen> specimen_in(const std::string& path) {
     try {
       (void)read_scene_text(path);
     } catch (const mpm::Error& no_result) {
-      throw Rejected(Exit::data, complaint(path, "neither a specimen nor a result", no_specimen.what(),
-                                           no_result.what()));
+      throw Rejected(Exit::data, path, "neither a specimen nor a result", no_specimen.what(),
+                     no_result.what());
     }
   }
   return std::nullopt;
@@ -75,12 +76,11 @@ std::string result_in(const std::string& input) {
     case InputKind::hdf5:
       return {};
     case InputKind::picture:
-      throw Rejected(Exit::usage,
-                     complaint(input, "is no specimen", "must be a specimen or the folder of a run",
-                               "mesopix convert turns a picture into a specimen"));
+      throw Rejected(Exit::usage, input, "is no specimen", "must be a specimen or the folder of a run",
+                     "mesopix convert turns a picture into a specimen");
     case InputKind::scene:
-      throw Rejected(Exit::usage, complaint(input, "is a scene", "must be a specimen or the folder of a run",
-                                            "mesopix simulate runs it"));
+      throw Rejected(Exit::usage, input, "is a scene", "must be a specimen or the folder of a run",
+                     "mesopix simulate runs it");
   }
   return {};
 }
@@ -96,11 +96,10 @@ void check_output_file(const std::string& output, const std::string& input, cons
                                  ? format.ending
                                  : fs::path(format.ending).extension().string();
   if (fs::path(output).extension() != ending)
-    throw Rejected(Exit::usage,
-                   complaint("-o", output, "must end in " + ending + " with --to " + format.name));
+    throw Rejected(Exit::usage, "-o", output, "must end in " + ending + " with --to " + format.name);
   std::error_code error;
   if (fs::equivalent(output, input, error) && !error)
-    throw Rejected(Exit::usage, complaint("-o", output, "would overwrite " + input, "choose another name"));
+    throw Rejected(Exit::usage, "-o", output, "would overwrite " + input, "choose another name");
 }
 
 /// Of the summary that lies beside the result of a run.
@@ -111,8 +110,7 @@ double pixel_size_beside(const std::string& result_file) {
   const bool there = summary.is_object() && summary.contains(place) && summary[place].is_number();
   const double size = there ? summary[place].get<double>() : 0;
   if (!(size > 0))
-    throw Rejected(Exit::data,
-                   complaint(path, "has no specimen.pixel_size_m", "must be the summary of the run"));
+    throw Rejected(Exit::data, path, "has no specimen.pixel_size_m", "must be the summary of the run");
   return size;
 }
 
@@ -120,62 +118,68 @@ double pixel_size_beside(const std::string& result_file) {
 fs::path folder_of_maps(const fs::path& wanted, const std::string& result_file) {
   if (wanted.empty()) return fs::path(result_file).parent_path();
   if (wanted.extension() == ".tif")
-    throw Rejected(Exit::usage, complaint("-o", wanted.string(),
-                                          "must be a folder, for damage.tif and failure_strain.tif"));
+    throw Rejected(Exit::usage, "-o", wanted.string(),
+                   "must be a folder, for damage.tif and failure_strain.tif");
   std::error_code error;
   fs::create_directories(wanted, error);
   if (error)
-    throw Rejected(Exit::io,
-                   complaint("-o", wanted.string(), "must be a folder that can be made", error.message()));
+    throw Rejected(Exit::io, "-o", wanted.string(), "must be a folder that can be made", error.message());
   return wanted;
 }
 
+class ExportCommand : public Command {
+ public:
+  explicit ExportCommand(CLI::App& program)
+      : Command(program, "export", "Write a specimen or a run in the format of another program",
+                export_footer) {
+    option("INPUT", input_, "specimen.h5, or folder of a run", file_form({"h5"}));
+    option("--to", format_, "format", one_of(format_names()));
+    option("-o,--output", output_, "file, or folder where INPUT is a run [beside INPUT, under its name]",
+           file_form());
+    option("--plane", plane_, "inp: elements of plane stress (CPS4) or plane strain (CPE4) [stress]",
+           one_of({"stress", "strain"}));
+    json_and_quiet("the files and their format as JSON on standard output");
+  }
+
+  Exit run(Console& console) override {
+    require(input_, "INPUT", "mesopix export INPUT --to inp");
+    const ExportFormat& format = format_named(format_);
+    const exchange::PlaneElement plane = plane_of(plane_, format);
+    if (const std::string result_file = result_in(input_); !result_file.empty())
+      return export_run(result_file, console);
+    const std::optional<specimen::Specimen> specimen = specimen_in(input_);
+    if (!specimen) return export_run(input_, console);
+    const std::string output = output_.empty() ? default_output(input_, format) : output_;
+    check_output_file(output, input_, format);
+    console.say(format.write({*specimen, output, plane}));
+    tell({output}, console);
+    return Exit::ok;
+  }
+
+ private:
+  void tell(const std::vector<std::string>& files, Console& console) const {
+    if (json_) console.out << json_text({{"format", format_}, {"files", files}});
+    for (const std::string& file : files) console.say("wrote " + file);
+  }
+
+  Exit export_run(const std::string& result_file, Console& console) const {
+    if (format_ != "tif")
+      throw Rejected(Exit::usage, input_, "is a run", "--to " + format_ + " needs a specimen",
+                     "give the specimen, or --to tif for the damage of the run");
+    const mpm::Result result = read_result(result_file);
+    const double pixel_size = pixel_size_beside(result_file);
+    const fs::path folder = folder_of_maps(output_, result_file);
+    tell(write_run_maps(folder, {result, pixel_size}), console);
+    return Exit::ok;
+  }
+
+  std::string input_;
+  std::string format_;
+  std::string plane_;
+};
+
 }  // namespace
 
-ExportCommand::ExportCommand(CLI::App& program)
-    : Command(program, "export", "Write a specimen or a run in the format of another program",
-              export_footer) {
-  options().value("INPUT", input_, "specimen.h5, or folder of a run", file_form({"h5"}));
-  options().value("--to", format_, "format", one_of(format_names()));
-  options().value("-o,--output", output_,
-                  "file, or folder where INPUT is a run [beside INPUT, under its name]", file_form());
-  options().value("--plane", plane_, "inp: elements of plane stress (CPS4) or plane strain (CPE4) [stress]",
-                  one_of({"stress", "strain"}));
-  options().add_flag("--json", json_, "the files and their format as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-Exit ExportCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (input_.empty())
-    throw Rejected(Exit::usage, complaint("INPUT", "missing", "", "mesopix export INPUT --to inp"));
-  const ExportFormat& format = format_named(format_);
-  const exchange::PlaneElement plane = plane_of(plane_, format);
-  if (const std::string result_file = result_in(input_); !result_file.empty())
-    return export_run(result_file, console);
-  const std::optional<specimen::Specimen> specimen = specimen_in(input_);
-  if (!specimen) return export_run(input_, console);
-  const std::string output = output_.empty() ? default_output(input_, format) : output_;
-  check_output_file(output, input_, format);
-  console.say(format.write({*specimen, output, plane}));
-  tell({output}, console);
-  return Exit::ok;
-}
-
-void ExportCommand::tell(const std::vector<std::string>& files, Console& console) const {
-  if (json_) console.out << json_text({{"format", format_}, {"files", files}});
-  for (const std::string& file : files) console.say("wrote " + file);
-}
-
-Exit ExportCommand::export_run(const std::string& result_file, Console& console) const {
-  if (format_ != "tif")
-    throw Rejected(Exit::usage, complaint(input_, "is a run", "--to " + format_ + " needs a specimen",
-                                          "give the specimen, or --to tif for the damage of the run"));
-  const mpm::Result result = read_result(result_file);
-  const double pixel_size = pixel_size_beside(result_file);
-  const fs::path folder = folder_of_maps(output_, result_file);
-  tell(write_run_maps(folder, {result, pixel_size}), console);
-  return Exit::ok;
-}
+CommandPointer export_command(CLI::App& parent) { return std::make_unique<ExportCommand>(parent); }
 
 }  // namespace app

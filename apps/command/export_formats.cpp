@@ -1,4 +1,4 @@
-#include "apps/command/output_commands.hpp"
+#include "apps/command/export_formats.hpp"
 
 #include <fmt/format.h>
 
@@ -70,8 +70,7 @@ void replace_with_text(const std::string& path, const std::string& bytes) {
 }
 
 std::string inclusions_sentence(const SpecimenExport& wanted) {
-  const std::size_t count = wanted.specimen.inclusions.size();
-  return fmt::format("{} inclusion{}", count, count == 1 ? "" : "s");
+  return counted(std::ssize(wanted.specimen.inclusions), "inclusion");
 }
 
 std::string write_csv(const SpecimenExport& wanted) {
@@ -82,7 +81,7 @@ std::string write_csv(const SpecimenExport& wanted) {
 std::string write_roi(const SpecimenExport& wanted) {
   const auto rois = exchange::inclusion_rois(wanted.specimen.inclusions, wanted.specimen.mask);
   if (rois.empty())
-    throw Rejected(Exit::data, complaint("specimen", "has no inclusions", "there is nothing to outline"));
+    throw Rejected(Exit::data, "specimen", "has no inclusions", "there is nothing to outline");
   replace_with_text(wanted.path, exchange::zipped(wanted.path, rois));
   return inclusions_sentence(wanted);
 }

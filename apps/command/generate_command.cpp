@@ -1,4 +1,4 @@
-#include "apps/command/specimen_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,35 +17,39 @@ constexpr const char* generate_footer =
     "then\n"
     "  mesopix simulate specimen.h5";
 
+class GenerateCommand : public SettingsCommand {
+ public:
+  explicit GenerateCommand(CLI::App& program)
+      : SettingsCommand(program, "generate", "Draw random or listed ellipses as a specimen", generate_footer,
+                        offer_of_generate()) {
+    option("[SCENE]", scene_, "scene.toml whose specimen to draw", file_form({"toml"}));
+    output_ = "specimen.h5";
+    option("-o,--output", output_,
+           "specimen file (.h5) or label picture (.png, .tif, .bmp, .pgm) [specimen.h5]",
+           file_form(picture_endings({"h5"})));
+    json_and_quiet("figures as JSON on standard output");
+  }
+
+  Exit run(Console& console) override {
+    check_output(output_, scene_);
+    Resolved resolved = resolve_ellipses(scene_, settings_.assignments());
+    console.locate = located_by(resolved.origins);
+    settle_source(resolved.settings);
+    const Prepared prepared = prepare_specimen(resolved.settings);
+    const bool random = source_of(resolved.settings) == Source::generated;
+    const specimen::Grading target =
+        random ? packing_options(resolved.settings).grading : specimen::Grading();
+    const auto files = write_specimen_output(output_, prepared.specimen);
+    report_specimen(console, json_, prepared, specimen_json(prepared.specimen, target), files);
+    return Exit::ok;
+  }
+
+ private:
+  std::string scene_;
+};
+
 }  // namespace
 
-GenerateCommand::GenerateCommand(CLI::App& program)
-    : Command(program, "generate", "Draw random or listed ellipses as a specimen", generate_footer),
-      settings_(options(), offer_of_generate()) {
-  options().value("[SCENE]", scene_, "scene.toml whose specimen to draw", file_form({"toml"}));
-  options().value("-o,--output", output_,
-                  "specimen file (.h5) or label picture (.png, .tif, .bmp, .pgm) [specimen.h5]",
-                  file_form(picture_endings({"h5"})));
-  options().add_flag("--json", json_, "figures as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-std::vector<std::string> GenerateCommand::prepare(const std::vector<std::string>& arguments) {
-  return settings_.take_phase_options(arguments);
-}
-
-Exit GenerateCommand::run(Console& console) {
-  console.quiet = quiet_;
-  check_output(output_, scene_);
-  Resolved resolved = resolve_ellipses(scene_, settings_.assignments());
-  console.locate = located_by(resolved.origins);
-  settle_source(resolved.settings);
-  const Prepared prepared = prepare_specimen(resolved.settings);
-  const bool random = source_of(resolved.settings) == Source::generated;
-  const specimen::Grading target = random ? packing_options(resolved.settings).grading : specimen::Grading();
-  const auto files = write_specimen_output(output_, prepared.specimen);
-  report_specimen(console, json_, prepared, specimen_json(prepared.specimen, target), files);
-  return Exit::ok;
-}
+CommandPointer generate_command(CLI::App& parent) { return std::make_unique<GenerateCommand>(parent); }
 
 }  // namespace app

@@ -1,4 +1,4 @@
-#include "apps/command/help_command.hpp"
+#include "apps/command/command.hpp"
 
 #include <algorithm>
 
@@ -22,10 +22,9 @@ const CLI::App& command_below(const CLI::App& parent, const std::string& name, c
   if (found != below.end()) return **found;
   std::vector<std::string> names;
   for (const CLI::App* one : below) names.push_back(one->get_name());
-  throw Rejected(Exit::usage,
-                 complaint(word, "unknown command",
-                           names.empty() ? name + " has no commands below it" : "must be " + listed(names),
-                           did_you_mean(word, names)));
+  throw Rejected(Exit::usage, word, "unknown command",
+                 names.empty() ? name + " has no commands below it" : "must be " + listed(names),
+                 did_you_mean(word, names));
 }
 
 /// Commands below one, and those below them.
@@ -39,26 +38,35 @@ std::vector<std::string> names_below(const CLI::App& parent) {
   return names;
 }
 
+class HelpCommand : public Command {
+ public:
+  explicit HelpCommand(CLI::App& program)
+      : Command(program, "help", "Tell how a command is used, as --help behind it does", help_footer) {
+    Form command = text_form("COMMAND");
+    command.hints = names_below(program);
+    option("[COMMAND]", words_, "name of a command, and of one below it", std::move(command));
+  }
+
+  Exit run(Console& console) override {
+    const CLI::App* command = options().get_parent();
+    std::string name = command->get_name();
+    for (const std::string& word : words_) {
+      command = &command_below(*command, name, word);
+      name += " " + word;
+    }
+    // Its own help() would be that of the command that was parsed, which is this one.
+    console.out << with_headings(
+        command->get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal),
+        console.out_is_coloured);
+    return Exit::ok;
+  }
+
+ private:
+  std::vector<std::string> words_;
+};
+
 }  // namespace
 
-HelpCommand::HelpCommand(CLI::App& program)
-    : Command(program, "help", "Tell how a command is used, as --help behind it does", help_footer) {
-  Form command = text_form("COMMAND");
-  command.hints = names_below(program);
-  options().value("[COMMAND]", words_, "name of a command, and of one below it", std::move(command));
-}
-
-Exit HelpCommand::run(Console& console) {
-  const CLI::App* command = options().get_parent();
-  std::string name = command->get_name();
-  for (const std::string& word : words_) {
-    command = &command_below(*command, name, word);
-    name += " " + word;
-  }
-  // Its own help() would be that of the command that was parsed, which is this one.
-  console.out << with_headings(command->get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal),
-                               console.out_is_coloured);
-  return Exit::ok;
-}
+CommandPointer help_command(CLI::App& parent) { return std::make_unique<HelpCommand>(parent); }
 
 }  // namespace app

@@ -1,4 +1,4 @@
-#include "apps/command/output_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/job/specimen_report.hpp"
+#include "apps/report/run_words.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"
@@ -25,27 +26,13 @@ constexpr const char* inspect_footer =
     "  mesopix inspect photo.jpg\n"
     "  mesopix inspect specimen.h5 --json";
 
-const char* stop_text(mpm::StopReason reason) {
-  switch (reason) {
-    case mpm::StopReason::strain:
-      return "strain";
-    case mpm::StopReason::time:
-      return "time";
-    case mpm::StopReason::drop:
-      return "drop";
-    case mpm::StopReason::interrupted:
-      return "interrupted";
-  }
-  return "";
-}
-
 Json result_json(const mpm::Result& result) {
   const double strain = result.history.empty() ? 0 : result.history.back().strain;
   return {{"kind", "result"},
           {"peak_stress_Pa", result.peak_stress},
           {"peak_strain", result.peak_strain},
           {"last_strain", strain},
-          {"stop", stop_text(result.stop)},
+          {"stop", output::word_of(result.stop)},
           {"tension_failures", result.tension_failures},
           {"shear_failures", result.shear_failures},
           {"points", result.points},
@@ -114,8 +101,7 @@ Json hdf5_json(const std::string& path) {
   try {
     return specimen_json(read_specimen(path), {});
   } catch (const specimen::Error& error) {
-    throw Rejected(Exit::data,
-                   complaint(path, "neither a specimen nor a result", error.what(), why_no_result));
+    throw Rejected(Exit::data, path, "neither a specimen nor a result", error.what(), why_no_result);
   }
 }
 
@@ -128,9 +114,9 @@ Json inspect(const std::string& path) {
     case InputKind::picture:
       return picture_json(path);
     case InputKind::scene:
-      throw Rejected(Exit::usage,
-                     complaint(path, "is a scene", "must be a specimen, a result, a run folder or a picture",
-                               "mesopix simulate --print-scene " + path + " resolves it"));
+      throw Rejected(Exit::usage, path, "is a scene",
+                     "must be a specimen, a result, a run folder or a picture",
+                     "mesopix simulate --print-scene " + path + " resolves it");
   }
   return {};
 }
@@ -141,21 +127,29 @@ std::string figures_text(const Json& figures) {
   return kind == "picture" ? picture_text(figures) : specimen_text(figures);
 }
 
+class InspectCommand : public Command {
+ public:
+  explicit InspectCommand(CLI::App& program)
+      : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture",
+                inspect_footer) {
+    option("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture",
+           file_form(picture_endings({"h5"})));
+    flag("--json", json_, "as JSON");
+  }
+
+  Exit run(Console& console) override {
+    require(file_, "FILE", "mesopix inspect FILE");
+    const Json figures = inspect(file_);
+    console.out << (json_ ? json_text(figures) : printable_lines(figures_text(figures)));
+    return Exit::ok;
+  }
+
+ private:
+  std::string file_;
+};
+
 }  // namespace
 
-InspectCommand::InspectCommand(CLI::App& program)
-    : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture",
-              inspect_footer) {
-  options().value("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture",
-                  file_form(picture_endings({"h5"})));
-  options().add_flag("--json", json_, "as JSON");
-}
-
-Exit InspectCommand::run(Console& console) {
-  if (file_.empty()) throw Rejected(Exit::usage, complaint("FILE", "missing", "", "mesopix inspect FILE"));
-  const Json figures = inspect(file_);
-  console.out << (json_ ? json_text(figures) : printable_lines(figures_text(figures)));
-  return Exit::ok;
-}
+CommandPointer inspect_command(CLI::App& parent) { return std::make_unique<InspectCommand>(parent); }
 
 }  // namespace app

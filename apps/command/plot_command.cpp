@@ -1,4 +1,4 @@
-#include "apps/command/output_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -53,7 +53,7 @@ E chosen(const char* option, const std::string& text,
     if (text == name) return value;
     names.emplace_back(name);
   }
-  throw Rejected(Exit::usage, complaint(option, text, "must be " + listed(names)));
+  throw Rejected(Exit::usage, option, text, "must be " + listed(names));
 }
 
 constexpr std::initializer_list<std::pair<const char*, StressComponent>> components{
@@ -76,7 +76,7 @@ double strain_at(const std::string& text, const mpm::Result& result) {
   if (!text.ends_with(peak)) return read_option("at", text, number);
   const double share = read_option("at", text.substr(0, text.size() - peak.size()), number);
   if (!(result.peak_strain > 0))
-    throw Rejected(Exit::data, complaint("--at", text, "the run has no peak", "give a strain, like 120e-6"));
+    throw Rejected(Exit::data, "--at", text, "the run has no peak", "give a strain, like 120e-6");
   return share * result.peak_strain;
 }
 
@@ -86,9 +86,9 @@ void check_reached(const std::string& text, double strain, const mpm::Result& re
   // A run ends where its last row is; what the reader typed for that has fewer digits.
   if (strain >= 0 && strain <= end * (1 + 1e-6)) return;
   const output::StrainUnit unit = output::strain_unit(result);
-  throw Rejected(Exit::data, complaint("--at", text,
-                                       "must be from 0 to " + output::rounded(unit.per_strain * end) + " " +
-                                           unit.name + ", where the run ended"));
+  throw Rejected(Exit::data, "--at", text,
+                 "must be from 0 to " + output::rounded(unit.per_strain * end) + " " + unit.name +
+                     ", where the run ended");
 }
 
 /// Of --at.
@@ -116,77 +116,93 @@ std::string bytes_of(const output::Drawing& drawing, Format format) {
   return output::vector_file(drawing, output::VectorFormat::pdf, margin);
 }
 
+class PlotCommand : public Command {
+ public:
+  explicit PlotCommand(CLI::App& program)
+      : Command(program, "plot", "Draw damage, stress or the curve of a run for a paper or a slide",
+                plot_footer) {
+    option("RUN", run_, "folder of a run", folder_form());
+    option("--what", what_, "what to draw [damage]", one_of({"damage", "stress", "curve"}));
+    add("--at", at_, text_form("STRAIN"),
+        "strain, or share of the peak strain, of damage or stress [100%peak]", {"damage", "stress"});
+    add("--look", look_, one_of({"grey", "colour"}), "of damage; grey is as in the paper [grey]", {"damage"});
+    add("--component", component_, one_of({"yy", "xx", "xy", "first", "third", "mises"}), "of stress [yy]",
+        {"stress"});
+    add("--range", range_, text_form("LOW:HIGH", {"auto"}),
+        "of the colours of stress, as \"-5:5 MPa\" [auto]", {"stress"});
+    option("-o,--output", output_, "the picture: .png, .svg or .pdf [WHAT.png]",
+           file_form({"png", "svg", "pdf"}));
+    json_and_quiet("the file and what it shows as JSON on standard output");
+  }
+
+  Exit run(Console& console) override {
+    require(run_, "RUN", "mesopix plot RUN");
+    const What what = chosen<What>(
+        "--what", what_, {{"damage", What::damage}, {"stress", What::stress}, {"curve", What::curve}});
+    check_fit();
+    const Palette look =
+        chosen<Palette>("--look", look_, {{"grey", Palette::grey}, {"colour", Palette::colour}});
+    const StressComponent component = chosen<StressComponent>("--component", component_, components);
+    std::optional<output::ColourScale> range;
+    if (range_ != "auto") range = read_range(range_);
+    const std::string path = output_.empty() ? what_ + ".png" : output_;
+    const Format format = format_of(path);
+    const ReadRun run = read_run(run_);
+    std::string words = "wrote " + path;
+    nlohmann::ordered_json shown{{"files", {path}}, {"what", what_}};
+    output::Drawing drawing;
+    switch (what) {
+      case What::damage:
+        shown["strain"] = reached_strain(at_, run.result);
+        drawing = damage(run, shown["strain"], look);
+        break;
+      case What::stress: {
+        StressPlot plot = stress_plot(run, run_, reached_strain(at_, run.result), component, range);
+        drawing = std::move(plot.drawing);
+        words += ": " + plot.words;
+        shown["frame"] = plot.words;
+        break;
+      }
+      case What::curve:
+        drawing = output::lay_out(output::stress_chart(run.record()), 608, 368);
+        break;
+    }
+    mpm::replace_file(path, bytes_of(drawing, format));
+    if (json_) console.out << json_text(shown);
+    console.say(words);
+    return Exit::ok;
+  }
+
+ private:
+  void add(const char* name, std::string& text, Form form, const char* help, std::vector<std::string> fits) {
+    special_.push_back({option(name, text, help, std::move(form)), std::move(fits)});
+  }
+
+  /// An option that changes nothing was meant for something else.
+  void check_fit() const {
+    for (const auto& [option, fits] : special_)
+      if (option->count() > 0 && std::find(fits.begin(), fits.end(), what_) == fits.end())
+        throw Rejected(Exit::usage, option->get_name(), option->as<std::string>(),
+                       "changes nothing of --what " + what_ + "; is for " + listed(fits));
+  }
+
+  /// An option of some of the kinds of pictures.
+  struct Special {
+    CLI::Option* option;
+    std::vector<std::string> fits;
+  };
+
+  std::vector<Special> special_;
+  std::string run_;
+  std::string what_ = "damage";
+  std::string at_ = "100%peak";
+  std::string look_ = "grey";
+  std::string component_ = "yy";
+  std::string range_ = "auto";
+};
+
 }  // namespace
 
-PlotCommand::PlotCommand(CLI::App& program)
-    : Command(program, "plot", "Draw damage, stress or the curve of a run for a paper or a slide",
-              plot_footer) {
-  options().value("RUN", run_, "folder of a run", folder_form());
-  options().value("--what", what_, "what to draw [damage]", one_of({"damage", "stress", "curve"}));
-  add("--at", at_, text_form("STRAIN"), "strain, or share of the peak strain, of damage or stress [100%peak]",
-      {"damage", "stress"});
-  add("--look", look_, one_of({"grey", "colour"}), "of damage; grey is as in the paper [grey]", {"damage"});
-  add("--component", component_, one_of({"yy", "xx", "xy", "first", "third", "mises"}), "of stress [yy]",
-      {"stress"});
-  add("--range", range_, text_form("LOW:HIGH", {"auto"}), "of the colours of stress, as \"-5:5 MPa\" [auto]",
-      {"stress"});
-  options().value("-o,--output", output_, "the picture: .png, .svg or .pdf [WHAT.png]",
-                  file_form({"png", "svg", "pdf"}));
-  options().add_flag("--json", json_, "the file and what it shows as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-void PlotCommand::add(const char* name, std::string& text, Form form, const char* help,
-                      std::vector<std::string> fits) {
-  special_.push_back({options().value(name, text, help, std::move(form)), std::move(fits)});
-}
-
-/// An option that changes nothing was meant for something else.
-void PlotCommand::check_fit() const {
-  for (const auto& [option, fits] : special_)
-    if (option->count() > 0 && std::find(fits.begin(), fits.end(), what_) == fits.end())
-      throw Rejected(Exit::usage,
-                     complaint(option->get_name(), option->as<std::string>(),
-                               "changes nothing of --what " + what_ + "; is for " + listed(fits)));
-}
-
-Exit PlotCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (run_.empty()) throw Rejected(Exit::usage, complaint("RUN", "missing", "", "mesopix plot RUN"));
-  const What what = chosen<What>(
-      "--what", what_, {{"damage", What::damage}, {"stress", What::stress}, {"curve", What::curve}});
-  check_fit();
-  const Palette look =
-      chosen<Palette>("--look", look_, {{"grey", Palette::grey}, {"colour", Palette::colour}});
-  const StressComponent component = chosen<StressComponent>("--component", component_, components);
-  std::optional<output::ColourScale> range;
-  if (range_ != "auto") range = read_range(range_);
-  const std::string path = output_.empty() ? what_ + ".png" : output_;
-  const Format format = format_of(path);
-  const ReadRun run = read_run(run_);
-  std::string words = "wrote " + path;
-  nlohmann::ordered_json shown{{"files", {path}}, {"what", what_}};
-  output::Drawing drawing;
-  switch (what) {
-    case What::damage:
-      shown["strain"] = reached_strain(at_, run.result);
-      drawing = damage(run, shown["strain"], look);
-      break;
-    case What::stress: {
-      StressPlot plot = stress_plot(run, run_, reached_strain(at_, run.result), component, range);
-      drawing = std::move(plot.drawing);
-      words += ": " + plot.words;
-      shown["frame"] = plot.words;
-      break;
-    }
-    case What::curve:
-      drawing = output::lay_out(output::stress_chart(run.record()), 608, 368);
-      break;
-  }
-  mpm::replace_file(path, bytes_of(drawing, format));
-  if (json_) console.out << json_text(shown);
-  console.say(words);
-  return Exit::ok;
-}
+CommandPointer plot_command(CLI::App& parent) { return std::make_unique<PlotCommand>(parent); }
 
 }  // namespace app

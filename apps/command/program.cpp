@@ -9,13 +9,6 @@
 #include "apps/command/command.hpp"
 #include "apps/command/command_line.hpp"
 #include "apps/command/completion.hpp"
-#include "apps/command/doctor.hpp"
-#include "apps/command/help_command.hpp"
-#include "apps/command/output_commands.hpp"
-#include "apps/command/run_commands.hpp"
-#include "apps/command/scene_command.hpp"
-#include "apps/command/specimen_commands.hpp"
-#include "apps/command/study_commands.hpp"
 #include "apps/settings/assignment.hpp"
 #include "apps/system/terminal.hpp"
 #include "apps/text/version.hpp"
@@ -47,24 +40,24 @@ class Program {
     root_.allow_extras();
     root_.require_subcommand(0, 1);  // a file may be called as a command is
     heading_ = "First, a specimen and a scene";
-    add<GenerateCommand>();
-    add<ConvertCommand>();
-    add<TwinCommand>();
-    add<SceneCommand>();
+    add(generate_command(root_));
+    add(convert_command(root_));
+    add(twin_command(root_));
+    add(scene_command(root_));
     heading_ = "Then, break it";
-    add<SimulateCommand>();
-    add<StudyCommand>();
-    add<CalibrateCommand>();
+    add(simulate_command(root_));
+    add(study_command(root_));
+    add(calibrate_command(root_));
     heading_ = "Look at what came of it";
-    add<InspectCommand>();
-    add<ReportCommand>();
-    add<PlotCommand>();
-    add<ExportCommand>();
+    add(inspect_command(root_));
+    add(report_command(root_));
+    add(plot_command(root_));
+    add(export_command(root_));
     heading_ = "See what the program is worth";
     for (const auto& make : more) add(make(root_));
     heading_ = "Find help";
-    add<DoctorCommand>();
-    add<HelpCommand>();
+    add(doctor_command(root_));
+    add(help_command(root_));
   }
 
   [[nodiscard]] const CLI::App& options() const { return root_; }
@@ -79,7 +72,7 @@ class Program {
       return Exit::ok;
     }
     try {
-      return parsed(arguments).run(console);
+      return parsed(arguments).execute(console);
     } catch (const CLI::Success& asked) {  // --help, --version
       std::ostringstream told;
       const int code = root_.exit(asked, told, told);
@@ -100,23 +93,18 @@ class Program {
       root_.parse(words);
     } catch (const CLI::ArgumentMismatch& mismatch) {
       const std::string what = mismatch.what();
-      throw Rejected(Exit::usage, complaint(what.substr(0, what.find(':')), "needs a value",
-                                            "mesopix " + arguments.front() + " --help tells which"));
+      throw Rejected(Exit::usage, what.substr(0, what.find(':')), "needs a value",
+                     "mesopix " + arguments.front() + " --help tells which");
     }
     if (command == nullptr)
-      throw Rejected(Exit::usage, complaint(arguments.front(), "is no command", "must be " + listed(names()),
-                                            "mesopix --help tells what they do"));
+      throw Rejected(Exit::usage, arguments.front(), "is no command", "must be " + listed(names()),
+                     "mesopix --help tells what they do");
     refuse_remaining(command->options());
     return *command;
   }
 
  private:
-  template <class Kind>
-  void add() {
-    add(std::make_unique<Kind>(root_));
-  }
-
-  void add(std::unique_ptr<Command> command) {
+  void add(CommandPointer command) {
     command->options().group(heading_);
     commands_.push_back(std::move(command));
   }
@@ -135,16 +123,15 @@ class Program {
 
   void refuse_command(const std::string& name) {
     if (name == "reproduce" || name == "bench")  // evidence_commands() has them
-      throw Rejected(Exit::usage,
-                     complaint(name, "is not in this build", "",
-                               "./quickstart all builds it, or cmake with -DMESOPIX_EVIDENCE=ON"));
-    throw Rejected(Exit::usage, complaint(name, "unknown command", "must be " + listed(names()),
-                                          did_you_mean(name, names())));
+      throw Rejected(Exit::usage, name, "is not in this build", "",
+                     "./quickstart all builds it, or cmake with -DMESOPIX_EVIDENCE=ON");
+    throw Rejected(Exit::usage, name, "unknown command", "must be " + listed(names()),
+                   did_you_mean(name, names()));
   }
 
   CLI::App root_{"mesopix: from a picture of concrete to a broken specimen", "mesopix"};
   std::string heading_;  ///< in the help, of the commands that are added next
-  std::vector<std::unique_ptr<Command>> commands_;
+  std::vector<CommandPointer> commands_;
 };
 
 Exit refuse(Console& console, const Rejected& refusal) {
@@ -164,7 +151,7 @@ Exit refuse(Console& console, const Rejected& refusal) {
 Exit run_and_flush(const std::vector<std::string>& arguments, Console& console, const MoreCommands& more) {
   const Exit code = Program(more).run(arguments, console);
   if (console.out.flush()) return code;
-  throw Rejected(Exit::io, complaint("standard output", "cannot be written", ""));
+  throw Rejected(Exit::io, "standard output", "cannot be written", "");
 }
 
 }  // namespace

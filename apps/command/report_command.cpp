@@ -1,4 +1,4 @@
-#include "apps/command/output_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -30,7 +30,7 @@ fs::path result_of(const std::string& run) {
     case InputKind::hdf5:
       return run;
     default:
-      throw Rejected(Exit::usage, complaint("RUN", run, "must be the folder of a run, or its result.h5"));
+      throw Rejected(Exit::usage, "RUN", run, "must be the folder of a run, or its result.h5");
   }
 }
 
@@ -49,16 +49,15 @@ std::vector<std::string> names_of(const std::vector<std::string>& runs) {
 
 void check(const std::vector<std::string>& runs) {
   if (runs.size() < 2)
-    throw Rejected(Exit::usage,
-                   complaint("RUN", std::to_string(runs.size()) + " given", "must be two runs at least",
-                             "the report of a single run is report.html in its folder"));
+    throw Rejected(Exit::usage, "RUN", std::to_string(runs.size()) + " given", "must be two runs at least",
+                   "the report of a single run is report.html in its folder");
   if (runs.size() > output::most_compared_runs)
-    throw Rejected(Exit::usage, complaint("RUN", std::to_string(runs.size()) + " given",
-                                          "must be " + std::to_string(output::most_compared_runs) +
-                                              " runs at most: more lines cannot be told apart"));
+    throw Rejected(Exit::usage, "RUN", std::to_string(runs.size()) + " given",
+                   "must be " + std::to_string(output::most_compared_runs) +
+                       " runs at most: more lines cannot be told apart");
   for (const std::string& run : runs)
     if (std::count(runs.begin(), runs.end(), run) > 1)
-      throw Rejected(Exit::usage, complaint("RUN", run, "must not be given twice"));
+      throw Rejected(Exit::usage, "RUN", run, "must not be given twice");
 }
 
 nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& runs,
@@ -76,34 +75,41 @@ nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& r
   return json;
 }
 
+class ReportCommand : public Command {
+ public:
+  explicit ReportCommand(CLI::App& program)
+      : Command(program, "report", "Lay several runs over each other on one page", report_footer) {
+    option("RUN", runs_, "folders of runs, or their result.h5", file_form({"h5"}));
+    output_ = "comparison.html";
+    option("-o,--output", output_, "the page [comparison.html]", file_form({"html"}));
+    json_and_quiet("key figures and differences as JSON on standard output");
+  }
+
+  Exit run(Console& console) override {
+    check(runs_);
+    const std::vector<std::string> names = names_of(runs_);
+    std::vector<output::ComparedRun> compared;
+    std::vector<std::string> scenes;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const std::string path = result_of(runs_[i]).string();
+      compared.push_back({names[i], read_result(path)});
+      scenes.push_back(read_scene_text(path));
+    }
+    std::vector<output::ComparedSetting> settings;
+    for (SceneDifference& one : scene_differences(scenes))
+      settings.push_back({std::move(one.key), std::move(one.values)});
+    mpm::replace_file(output_, output::comparison_html(compared, settings));
+    if (json_) console.out << json_text(comparison_json(compared, settings, output_));
+    console.say("wrote " + output_);
+    return Exit::ok;
+  }
+
+ private:
+  std::vector<std::string> runs_;
+};
+
 }  // namespace
 
-ReportCommand::ReportCommand(CLI::App& program)
-    : Command(program, "report", "Lay several runs over each other on one page", report_footer) {
-  options().value("RUN", runs_, "folders of runs, or their result.h5", file_form({"h5"}));
-  options().value("-o,--output", output_, "the page [comparison.html]", file_form({"html"}));
-  options().add_flag("--json", json_, "key figures and differences as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-Exit ReportCommand::run(Console& console) {
-  console.quiet = quiet_;
-  check(runs_);
-  const std::vector<std::string> names = names_of(runs_);
-  std::vector<output::ComparedRun> compared;
-  std::vector<std::string> scenes;
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const std::string path = result_of(runs_[i]).string();
-    compared.push_back({names[i], read_result(path)});
-    scenes.push_back(read_scene_text(path));
-  }
-  std::vector<output::ComparedSetting> settings;
-  for (SceneDifference& one : scene_differences(scenes))
-    settings.push_back({std::move(one.key), std::move(one.values)});
-  mpm::replace_file(output_, output::comparison_html(compared, settings));
-  if (json_) console.out << json_text(comparison_json(compared, settings, output_));
-  console.say("wrote " + output_);
-  return Exit::ok;
-}
+CommandPointer report_command(CLI::App& parent) { return std::make_unique<ReportCommand>(parent); }
 
 }  // namespace app

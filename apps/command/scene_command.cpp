@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "apps/command/command.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/settings/schema.hpp"
 #include "apps/system/files.hpp"
@@ -61,143 +62,158 @@ mpm::Direction direction_named(const std::string& word) {
   try {
     if (!word.empty()) find_field("loading.direction")->set(settings, {word});
   } catch (const Mistake& mistake) {
-    throw Rejected(Exit::usage, complaint("--loading", word, mistake.allowed, mistake.cure));
+    throw Rejected(Exit::usage, "--loading", word, mistake.allowed, mistake.cure);
   }
   return settings.scene.loading.direction;
 }
 
+class SceneInitCommand : public Command {
+ public:
+  explicit SceneInitCommand(CLI::App& scene)
+      : Command(scene, "init", "Write a scene to begin with", footer_of_init) {
+    option("[FILE]", argument_, "to write [scene.toml]", file_form({"toml"}));
+    option("-o,--output", output_, "the same as FILE", file_form({"toml"}));
+    flag("--overwrite", overwrite_, "replace a file that is there already");
+    option("--picture", picture_, "the specimen is made from this picture", file_form(picture_endings()));
+    option("--width", width_, "of the picture; by default as its file says",
+           QuantityCodec{Dimension::length}.form());
+    option("--specimen", specimen_, "the specimen is this file, specimen.h5", file_form({"h5"}));
+    option("--loading", loading_, "what is done to it [tension]", find_field("loading.direction")->form);
+    option("--schema", schema_, "write the JSON Schema into this file, and its name into the scene",
+           file_form());
+    flag("-q,--quiet", quiet_, "say nothing but errors");
+  }
+
+  Exit run(Console& console) override {
+    const mpm::Direction direction = direction_named(loading_);
+    check_options();
+    for (const std::string& input : {picture_, specimen_})
+      if (!input.empty()) (void)kind_of_input(input);
+    const std::string text = scene_draft({picture_, width_, specimen_, direction, file(), schema_});
+    write_schema();
+    mpm::replace_file(file(), text);
+    console.say("wrote " + file());
+    const CheckedFile checked = check_file(file());
+    for (const Complaint& one : checked.complaints) console.say("to do: " + app::text(one));
+    if (checked.complaints.empty()) console.say("next: mesopix simulate " + shell_word(file()));
+    return Exit::ok;
+  }
+
+ private:
+  void check_options() const {
+    const auto refuse = [](const char* option, const char* other) {
+      throw Rejected(Exit::usage, option, std::string("given with ") + other, "", "give one of the two");
+    };
+    if (!argument_.empty() && !output_.empty()) refuse("--output", "FILE");
+    if (!picture_.empty() && !specimen_.empty()) refuse("--specimen", "--picture");
+    if (!width_.empty() && picture_.empty())
+      throw Rejected(Exit::usage, "--width", width_, "is that of a picture, and none is given",
+                     "add --picture, or change generate.width in the scene");
+    if (fs::path(file()).extension() != ".toml")
+      throw Rejected(Exit::usage, "FILE", file(), "must end in .toml");
+    if (fs::exists(file()) && !overwrite_)
+      throw Rejected(Exit::usage, "FILE", file() + " is there already", "",
+                     "choose another name, or give --overwrite");
+  }
+
+  [[nodiscard]] std::string file() const {
+    return !argument_.empty() ? argument_ : !output_.empty() ? output_ : "scene.toml";
+  }
+
+  /// The same schema may be there already, beside other scenes.
+  void write_schema() const {
+    if (schema_.empty()) return;
+    const std::string text = schema_text();
+    if (fs::exists(schema_) && !overwrite_ && read_text_file(schema_) != text)
+      throw Rejected(Exit::usage, "--schema", schema_ + " is there already, and another one", "",
+                     "choose another name, or give --overwrite");
+    mpm::replace_file(schema_, text);
+  }
+
+  std::string argument_;
+  std::string picture_;
+  std::string width_;
+  std::string specimen_;
+  std::string loading_;
+  std::string schema_;
+};
+
+class SceneCheckCommand : public Command {
+ public:
+  explicit SceneCheckCommand(CLI::App& scene)
+      : Command(scene, "check", "Tell all that is wrong with scenes and studies", footer_of_check) {
+    option("FILE...", files_, "scene.toml, or study.toml", file_form({"toml"}));
+    flag("--json", json_, "mistakes as a list in JSON");
+    flag("-q,--quiet", quiet_, "say nothing of files in which nothing is wrong");
+  }
+
+  Exit run(Console& console) override {
+    require(files_.empty() ? "" : files_.front(), "FILE", "mesopix scene check FILE");
+    std::vector<CheckedFile> checked;
+    for (const std::string& file : files_) checked.push_back(check_file(file));
+    if (json_) console.out << json_text(complaints_json(checked));
+    Exit code = Exit::ok;
+    for (const CheckedFile& one : checked) {
+      for (const Complaint& complaint : one.complaints)
+        if (!json_) console.out << app::text(complaint) << '\n';
+      for (const std::string& note : one.notes) console.say(one.file + ": note: " + note);
+      if (one.complaints.empty() && !json_ && !quiet_)
+        console.out << printable(one.file + ": " + one.what) << '\n';
+      if (!one.readable) code = Exit::io;
+      if (!one.complaints.empty() && code == Exit::ok) code = Exit::data;
+    }
+    return code;
+  }
+
+ private:
+  std::vector<std::string> files_;
+};
+
+class SceneSchemaCommand : public Command {
+ public:
+  explicit SceneSchemaCommand(CLI::App& scene)
+      : Command(scene, "schema", "Print the JSON Schema of scenes, for editors", footer_of_schema) {}
+
+  Exit run(Console& console) override {
+    console.out << schema_text();
+    return Exit::ok;
+  }
+};
+
+class SceneCommand : public Command {
+ public:
+  explicit SceneCommand(CLI::App& program)
+      : Command(program, "scene", "Begin a scene, look through it, describe it to editors", scene_footer) {
+    below_.push_back(std::make_unique<SceneInitCommand>(options()));
+    below_.push_back(std::make_unique<SceneCheckCommand>(options()));
+    below_.push_back(std::make_unique<SceneSchemaCommand>(options()));
+  }
+
+  std::vector<std::string> prepare(const std::vector<std::string>& arguments) override {
+    const std::string word = arguments.empty() ? "" : arguments.front();
+    const std::vector<std::string> known = names();
+    if (word.rfind('-', 0) != 0 && std::find(known.begin(), known.end(), word) == known.end())
+      throw Rejected(Exit::usage, "mesopix scene", word.empty() ? "needs a command" : word,
+                     "must be " + listed(known),
+                     word.empty() ? "mesopix scene --help" : did_you_mean(word, known));
+    return arguments;
+  }
+
+  Exit run(Console& /*console*/) override {
+    throw Rejected(Exit::usage, "mesopix scene", "needs a command", "must be " + listed(names()),
+                   "mesopix scene --help");
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& command : below_) names.push_back(command->options().get_name());
+    return names;
+  }
+};
+
 }  // namespace
 
-SceneCommand::SceneCommand(CLI::App& program)
-    : Command(program, "scene", "Begin a scene, look through it, describe it to editors", scene_footer) {
-  below_.push_back(std::make_unique<SceneInitCommand>(options()));
-  below_.push_back(std::make_unique<SceneCheckCommand>(options()));
-  below_.push_back(std::make_unique<SceneSchemaCommand>(options()));
-}
-
-std::vector<std::string> SceneCommand::names() const {
-  std::vector<std::string> names;
-  for (const auto& command : below_) names.push_back(command->options().get_name());
-  return names;
-}
-
-std::vector<std::string> SceneCommand::prepare(const std::vector<std::string>& arguments) {
-  const std::string word = arguments.empty() ? "" : arguments.front();
-  const std::vector<std::string> known = names();
-  if (word.rfind('-', 0) != 0 && std::find(known.begin(), known.end(), word) == known.end())
-    throw Rejected(Exit::usage, complaint("mesopix scene", word.empty() ? "needs a command" : word,
-                                          "must be " + listed(known),
-                                          word.empty() ? "mesopix scene --help" : did_you_mean(word, known)));
-  return arguments;
-}
-
-Exit SceneCommand::run(Console& console) {
-  for (const auto& command : below_)
-    if (command->options().parsed()) {
-      refuse_remaining(command->options());
-      return command->run(console);
-    }
-  throw Rejected(Exit::usage, complaint("mesopix scene", "needs a command", "must be " + listed(names()),
-                                        "mesopix scene --help"));
-}
-
-SceneInitCommand::SceneInitCommand(CLI::App& scene)
-    : Command(scene, "init", "Write a scene to begin with", footer_of_init) {
-  options().value("[FILE]", argument_, "to write [scene.toml]", file_form({"toml"}));
-  options().value("-o,--output", output_, "the same as FILE", file_form({"toml"}));
-  options().add_flag("--overwrite", overwrite_, "replace a file that is there already");
-  options().value("--picture", picture_, "the specimen is made from this picture",
-                  file_form(picture_endings()));
-  options().value("--width", width_, "of the picture; by default as its file says",
-                  QuantityCodec{Dimension::length}.form());
-  options().value("--specimen", specimen_, "the specimen is this file, specimen.h5", file_form({"h5"}));
-  options().value("--loading", loading_, "what is done to it [tension]",
-                  find_field("loading.direction")->form);
-  options().value("--schema", schema_, "write the JSON Schema into this file, and its name into the scene",
-                  file_form());
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-void SceneInitCommand::check_options() const {
-  const auto refuse = [](const char* option, const char* other) {
-    throw Rejected(Exit::usage,
-                   complaint(option, std::string("given with ") + other, "", "give one of the two"));
-  };
-  if (!argument_.empty() && !output_.empty()) refuse("--output", "FILE");
-  if (!picture_.empty() && !specimen_.empty()) refuse("--specimen", "--picture");
-  if (!width_.empty() && picture_.empty())
-    throw Rejected(Exit::usage, complaint("--width", width_, "is that of a picture, and none is given",
-                                          "add --picture, or change generate.width in the scene"));
-  if (fs::path(file()).extension() != ".toml")
-    throw Rejected(Exit::usage, complaint("FILE", file(), "must end in .toml"));
-  if (fs::exists(file()) && !overwrite_)
-    throw Rejected(Exit::usage, complaint("FILE", file() + " is there already", "",
-                                          "choose another name, or give --overwrite"));
-}
-
-std::string SceneInitCommand::file() const {
-  return !argument_.empty() ? argument_ : !output_.empty() ? output_ : "scene.toml";
-}
-
-/// The same schema may be there already, beside other scenes.
-void SceneInitCommand::write_schema() const {
-  if (schema_.empty()) return;
-  const std::string text = schema_text();
-  if (fs::exists(schema_) && !overwrite_ && read_text_file(schema_) != text)
-    throw Rejected(Exit::usage, complaint("--schema", schema_ + " is there already, and another one", "",
-                                          "choose another name, or give --overwrite"));
-  mpm::replace_file(schema_, text);
-}
-
-Exit SceneInitCommand::run(Console& console) {
-  console.quiet = quiet_;
-  const mpm::Direction direction = direction_named(loading_);
-  check_options();
-  for (const std::string& input : {picture_, specimen_})
-    if (!input.empty()) (void)kind_of_input(input);
-  const std::string text = scene_draft({picture_, width_, specimen_, direction, file(), schema_});
-  write_schema();
-  mpm::replace_file(file(), text);
-  console.say("wrote " + file());
-  const CheckedFile checked = check_file(file());
-  for (const Complaint& one : checked.complaints) console.say("to do: " + app::text(one));
-  if (checked.complaints.empty()) console.say("next: mesopix simulate " + shell_word(file()));
-  return Exit::ok;
-}
-
-SceneCheckCommand::SceneCheckCommand(CLI::App& scene)
-    : Command(scene, "check", "Tell all that is wrong with scenes and studies", footer_of_check) {
-  options().value("FILE...", files_, "scene.toml, or study.toml", file_form({"toml"}));
-  options().add_flag("--json", json_, "mistakes as a list in JSON");
-  options().add_flag("-q,--quiet", quiet_, "say nothing of files in which nothing is wrong");
-}
-
-Exit SceneCheckCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (files_.empty())
-    throw Rejected(Exit::usage, complaint("FILE", "missing", "", "mesopix scene check FILE"));
-  std::vector<CheckedFile> checked;
-  for (const std::string& file : files_) checked.push_back(check_file(file));
-  if (json_) console.out << json_text(complaints_json(checked));
-  Exit code = Exit::ok;
-  for (const CheckedFile& one : checked) {
-    for (const Complaint& complaint : one.complaints)
-      if (!json_) console.out << app::text(complaint) << '\n';
-    for (const std::string& note : one.notes) console.say(one.file + ": note: " + note);
-    if (one.complaints.empty() && !json_ && !quiet_)
-      console.out << printable(one.file + ": " + one.what) << '\n';
-    if (!one.readable) code = Exit::io;
-    if (!one.complaints.empty() && code == Exit::ok) code = Exit::data;
-  }
-  return code;
-}
-
-SceneSchemaCommand::SceneSchemaCommand(CLI::App& scene)
-    : Command(scene, "schema", "Print the JSON Schema of scenes, for editors", footer_of_schema) {}
-
-Exit SceneSchemaCommand::run(Console& console) {
-  console.out << schema_text();
-  return Exit::ok;
-}
+CommandPointer scene_command(CLI::App& parent) { return std::make_unique<SceneCommand>(parent); }
 
 }  // namespace app

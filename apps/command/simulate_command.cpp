@@ -1,4 +1,4 @@
-#include "apps/command/run_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -43,152 +43,154 @@ output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const I
   adopt(found, tolerance, job);
   console.say(
       fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision, found in {:.2f} s",
-                  output::trimmed(100 * tolerance) + " %", found.met ? "met" : "not met",
-                  output::trimmed(found.scene.loading.velocity, 4), output::trimmed(found.scene.cfl, 4),
+                  output::concise(100 * tolerance) + " %", found.met ? "met" : "not met",
+                  output::concise(found.scene.loading.velocity, 4), output::concise(found.scene.cfl, 4),
                   found.scene.precision == mpm::Precision::single ? "single" : "double", found.wall_time));
   return found.estimate;
 }
 
+class SimulateCommand : public SettingsCommand {
+ public:
+  explicit SimulateCommand(CLI::App& program)
+      : SettingsCommand(program, "simulate", "Break a specimen, and write what happened into a folder",
+                        simulate_footer, offer_of_simulate()) {
+    option("[INPUT]", input_, "specimen.h5, scene.toml or picture",
+           file_form(picture_endings({"h5", "toml"})));
+    folder_and_overwrite("runs/INPUT, runs/INPUT-2, ...");
+    flag("--print-scene", print_scene_, "print the resolved scene, and do no more");
+    flag("--explain", explain_,
+         "print what the run computes, what it leaves out and what that saves, and do no more");
+    flag("--estimate-error", estimate_error_,
+         "say how wrong the peak may be, from runs at another rate, step, precision and pixel size");
+    option("--tolerance", tolerance_,
+           "choose the rate, the step and the precision that keep the error of the peak stress below this, "
+           "e.g. \"1 %\"",
+           text_form("RATIO"));
+    option("--checkpoint-every", checkpoint_every_,
+           "wall time after which a run is kept to go on from, e.g. \"60 s\"; no part of the scene",
+           QuantityCodec{Dimension::time}.form());
+    option("--resume", resume_,
+           "go on with the run in a folder, from its last checkpoint; the result is the same to the last bit",
+           folder_form());
+    flag("--serve", serve_,
+         "show the report in a browser on this machine while the run goes on, with a button that "
+         "stops it; the address is printed");
+    option("--port", port_, "of --serve on 127.0.0.1 [any that is free]", QuantityCodec().form());
+    json_and_quiet("summary as JSON on standard output");
+  }
+
+  Exit run(Console& console) override {
+    check_options();
+    return resume_.empty() ? begin(console) : go_on(console);
+  }
+
+ private:
+  void check_options() const {
+    const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
+    const char* asked = error != nullptr ? error : serve_ ? "--serve" : nullptr;
+    const auto refuse = [](const char* option, const char* other) {
+      throw Rejected(Exit::usage, option, std::string("given with ") + other, "", "give one of the two");
+    };
+    if (!resume_.empty()) {
+      const char* other = !input_.empty()    ? "INPUT"
+                          : !output_.empty() ? "--output"
+                          : overwrite_       ? "--overwrite"
+                          : print_scene_     ? "--print-scene"
+                          : explain_         ? "--explain"
+                                             : error;
+      if (other != nullptr) refuse("--resume", other);
+      return;
+    }
+    require(input_, "INPUT", "mesopix simulate INPUT");
+    const char* other = explain_                                 ? "--explain"
+                        : print_scene_                           ? "--print-scene"
+                        : !tolerance_.empty() && estimate_error_ ? "--estimate-error"
+                                                                 : nullptr;
+    if (asked != nullptr && other != nullptr) refuse(asked, other);
+  }
+
+  /// Of the live view, where it was asked for; 0 = any that is free.
+  [[nodiscard]] std::optional<int> port() const {
+    if (!serve_ && !port_.empty())
+      throw Rejected(Exit::usage, "--port", port_, "is for --serve, which is not given", "add --serve");
+    if (!serve_) return std::nullopt;
+    return port_.empty() ? 0 : read_option("port", port_, IntegerCodec<int>{between(1, 65535)});
+  }
+
+  [[nodiscard]] double tolerance() const {
+    return read_option("tolerance", tolerance_, QuantityCodec{Dimension::ratio, inside(0, 1)});
+  }
+
+  /// Wall time between checkpoints [s], where it was given.
+  [[nodiscard]] std::optional<double> checkpoint_every() const {
+    if (checkpoint_every_.empty()) return std::nullopt;
+    return read_option("checkpoint-every", checkpoint_every_, QuantityCodec{Dimension::time, above(0)});
+  }
+
+  [[nodiscard]] Exit begin(Console& console) {
+    const std::optional<int> port = this->port();
+    const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
+    RunRemarks remarks;
+    remarks.estimate_error = estimate_error_;
+    remarks.checkpoint_every = checkpoint_every().value_or(0);
+    Resolved resolved = resolve_input("INPUT", input_, settings_.assignments());
+    console.locate = located_by(resolved.origins);
+    Settings& settings = resolved.settings;
+    settle_source(settings);
+    if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
+    if (print_scene_) {
+      console.out << scene_text(settings, Extent::whole, fs::current_path());
+      return Exit::ok;
+    }
+    Job job = make_job(std::move(settings), console);
+    if (explain_) {
+      const mpm::Explanation explanation = mpm::explain(job.scene);
+      console.out << (json_ ? json_text(explanation_json(explanation)) : explanation_text(explanation));
+      return Exit::ok;
+    }
+    if ((estimate_error_ || wanted) && !output::has_platens(job.scene))
+      throw Rejected(Exit::usage, wanted ? "--tolerance" : "--estimate-error", "there are no platens",
+                     "needs a test in tension or compression");
+    const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
+    const InterruptGuard guard;
+    try {
+      if (wanted) remarks.tolerated = meet(*wanted, job, console, guard);
+    } catch (const NoEstimate& failed) {
+      throw Rejected(failed.interrupted ? Exit::interrupted : Exit::data,
+                     complaint("--tolerance", "not met, " + failed.why, "", "nothing was written"));
+    }
+    remarks.notes = job.notes;
+    std::string toml = scene_text(job.settings, Extent::whole, folder.path());
+    return carry_out(
+        {std::move(job), folder.path(), std::move(toml), std::move(remarks), std::nullopt, port, json_},
+        guard, console);
+  }
+
+  [[nodiscard]] Exit go_on(Console& console) {
+    const std::optional<double> every = checkpoint_every();
+    const std::optional<int> port = this->port();
+    std::optional<RunTask> task = task_that_goes_on(resume_, settings_.assignments(), console);
+    if (!task) return Exit::ok;
+    task->json = json_;
+    task->port = port;
+    if (every) task->remarks.checkpoint_every = *every;
+    const InterruptGuard guard;
+    return carry_out(std::move(*task), guard, console);
+  }
+
+  std::string input_;
+  bool print_scene_ = false;
+  bool explain_ = false;
+  bool estimate_error_ = false;
+  std::string tolerance_;
+  std::string checkpoint_every_;
+  std::string resume_;
+  bool serve_ = false;
+  std::string port_;
+};
+
 }  // namespace
 
-SimulateCommand::SimulateCommand(CLI::App& program)
-    : Command(program, "simulate", "Break a specimen, and write what happened into a folder",
-              simulate_footer),
-      settings_(options(), offer_of_simulate()) {
-  options().value("[INPUT]", input_, "specimen.h5, scene.toml or picture",
-                  file_form(picture_endings({"h5", "toml"})));
-  options().value("-o,--output", output_, "folder [runs/INPUT, runs/INPUT-2, ...]", folder_form());
-  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
-  options().add_flag("--print-scene", print_scene_, "print the resolved scene, and do no more");
-  options().add_flag("--explain", explain_,
-                     "print what the run computes, what it leaves out and what that saves, and do no more");
-  options().add_flag(
-      "--estimate-error", estimate_error_,
-      "say how wrong the peak may be, from runs at another rate, step, precision and pixel size");
-  options().value(
-      "--tolerance", tolerance_,
-      "choose the rate, the step and the precision that keep the error of the peak stress below this, "
-      "e.g. \"1 %\"",
-      text_form("RATIO"));
-  options().value("--checkpoint-every", checkpoint_every_,
-                  "wall time after which a run is kept to go on from, e.g. \"60 s\"; no part of the scene",
-                  QuantityCodec{Dimension::time}.form());
-  options().value(
-      "--resume", resume_,
-      "go on with the run in a folder, from its last checkpoint; the result is the same to the last bit",
-      folder_form());
-  options().add_flag("--serve", serve_,
-                     "show the report in a browser on this machine while the run goes on, with a button that "
-                     "stops it; the address is printed");
-  options().value("--port", port_, "of --serve on 127.0.0.1 [any that is free]", QuantityCodec().form());
-  options().add_flag("--json", json_, "summary as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-std::vector<std::string> SimulateCommand::prepare(const std::vector<std::string>& arguments) {
-  return settings_.take_phase_options(arguments);
-}
-
-void SimulateCommand::check_options() const {
-  const char* error = !tolerance_.empty() ? "--tolerance" : estimate_error_ ? "--estimate-error" : nullptr;
-  const char* asked = error != nullptr ? error : serve_ ? "--serve" : nullptr;
-  const auto refuse = [](const char* option, const char* other) {
-    throw Rejected(Exit::usage,
-                   complaint(option, std::string("given with ") + other, "", "give one of the two"));
-  };
-  if (!resume_.empty()) {
-    const char* other = !input_.empty()    ? "INPUT"
-                        : !output_.empty() ? "--output"
-                        : overwrite_       ? "--overwrite"
-                        : print_scene_     ? "--print-scene"
-                        : explain_         ? "--explain"
-                                           : error;
-    if (other != nullptr) refuse("--resume", other);
-    return;
-  }
-  if (input_.empty())
-    throw Rejected(Exit::usage, complaint("INPUT", "missing", "", "mesopix simulate INPUT"));
-  const char* other = explain_                                 ? "--explain"
-                      : print_scene_                           ? "--print-scene"
-                      : !tolerance_.empty() && estimate_error_ ? "--estimate-error"
-                                                               : nullptr;
-  if (asked != nullptr && other != nullptr) refuse(asked, other);
-}
-
-/// Of the live view, where it was asked for; 0 = any that is free.
-std::optional<int> SimulateCommand::port() const {
-  if (!serve_ && !port_.empty())
-    throw Rejected(Exit::usage,
-                   complaint("--port", port_, "is for --serve, which is not given", "add --serve"));
-  if (!serve_) return std::nullopt;
-  return port_.empty() ? 0 : read_option("port", port_, IntegerCodec<int>{between(1, 65535)});
-}
-
-double SimulateCommand::tolerance() const {
-  return read_option("tolerance", tolerance_, QuantityCodec{Dimension::ratio, inside(0, 1)});
-}
-
-/// Wall time between checkpoints [s], where it was given.
-std::optional<double> SimulateCommand::checkpoint_every() const {
-  if (checkpoint_every_.empty()) return std::nullopt;
-  return read_option("checkpoint-every", checkpoint_every_, QuantityCodec{Dimension::time, above(0)});
-}
-
-Exit SimulateCommand::run(Console& console) {
-  console.quiet = quiet_;
-  check_options();
-  return resume_.empty() ? begin(console) : go_on(console);
-}
-
-Exit SimulateCommand::begin(Console& console) {
-  const std::optional<int> port = this->port();
-  const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
-  RunRemarks remarks;
-  remarks.estimate_error = estimate_error_;
-  remarks.checkpoint_every = checkpoint_every().value_or(0);
-  Resolved resolved = resolve_input("INPUT", input_, settings_.assignments());
-  console.locate = located_by(resolved.origins);
-  Settings& settings = resolved.settings;
-  settle_source(settings);
-  if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
-  if (print_scene_) {
-    console.out << scene_text(settings, Extent::whole, fs::current_path());
-    return Exit::ok;
-  }
-  Job job = make_job(std::move(settings), console);
-  if (explain_) {
-    const mpm::Explanation explanation = mpm::explain(job.scene);
-    console.out << (json_ ? json_text(explanation_json(explanation)) : explanation_text(explanation));
-    return Exit::ok;
-  }
-  if ((estimate_error_ || wanted) && !output::has_platens(job.scene))
-    throw Rejected(Exit::usage, complaint(wanted ? "--tolerance" : "--estimate-error", "there are no platens",
-                                          "needs a test in tension or compression"));
-  const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
-  const InterruptGuard guard;
-  try {
-    if (wanted) remarks.tolerated = meet(*wanted, job, console, guard);
-  } catch (const NoEstimate& failed) {
-    throw Rejected(failed.interrupted ? Exit::interrupted : Exit::data,
-                   complaint("--tolerance", "not met, " + failed.why, "", "nothing was written"));
-  }
-  remarks.notes = job.notes;
-  std::string toml = scene_text(job.settings, Extent::whole, folder.path());
-  return carry_out(
-      {std::move(job), folder.path(), std::move(toml), std::move(remarks), std::nullopt, port, json_}, guard,
-      console);
-}
-
-Exit SimulateCommand::go_on(Console& console) {
-  const std::optional<double> every = checkpoint_every();
-  const std::optional<int> port = this->port();
-  std::optional<RunTask> task = task_that_goes_on(resume_, settings_.assignments(), console);
-  if (!task) return Exit::ok;
-  task->json = json_;
-  task->port = port;
-  if (every) task->remarks.checkpoint_every = *every;
-  const InterruptGuard guard;
-  return carry_out(std::move(*task), guard, console);
-}
+CommandPointer simulate_command(CLI::App& parent) { return std::make_unique<SimulateCommand>(parent); }
 
 }  // namespace app

@@ -1,4 +1,4 @@
-#include "apps/command/study_commands.hpp"
+#include "apps/command/study_input.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 
 #include "apps/settings/assignment.hpp"
 #include "apps/study/study_file.hpp"
+#include "apps/study/study_growth.hpp"
 #include "apps/study/study_outcome.hpp"
 #include "apps/system/job_pool.hpp"
 #include "apps/system/processes.hpp"
@@ -51,140 +52,143 @@ std::string study_footer() {
   return text + about_values + about_members;
 }
 
+class StudyCommand : public Command {
+ public:
+  explicit StudyCommand(CLI::App& program)
+      : Command(program, "study", "Run a scene many times, with other seeds and values", study_footer()) {
+    input_.add_to(options());
+    option("--jobs", jobs_, "members at a time [one a core]", WholeNumberCodec().form());
+    option("--until-ci", until_ci_,
+           "more seeds until the 95 % confidence interval of the mean peak stress is within this share "
+           "of it, e.g. \"2 %\"",
+           text_form("RATIO"));
+    option("--members", members_, "only those from number I to before J, and no table: for several machines",
+           text_form("I:J"));
+    flag("--retry", retry_, "run members again that have failed before");
+    json_and_quiet("number of members and mean peak as JSON on standard output");
+    below_.push_back(study_submit_command(options()));
+    below_.push_back(study_status_command(options()));
+    below_.push_back(study_collect_command(options()));
+  }
+
+  Exit run(Console& console) override {
+    check_options();
+    (void)workers();
+    (void)until_ci();
+    const Study study = read_study(input_.file());
+    if (!until_ci_.empty() && study.plan.seeds.empty())
+      throw Rejected(Exit::usage, "--until-ci", until_ci_, "needs a study with seeds",
+                     "write seeds = 10 into " + input_.file());
+    const std::vector<Member> all = list_members(study);
+    const std::vector<Member> members = members_.empty() ? all : wanted(all);
+    check_scenes(study, members);
+    input_.folder().open(study, all);
+    if (retry_)
+      for (const Member& member : members) input_.folder().forget_failure(member);
+    return members_.empty() ? run_whole(study, members, console) : run_part(study, members, console);
+  }
+
+ private:
+  void check_options() const {
+    input_.check();
+    if (!until_ci_.empty() && !members_.empty())
+      throw Rejected(Exit::usage, "--until-ci", "given with --members", "", "give one of the two");
+  }
+
+  [[nodiscard]] int workers() const {
+    return jobs_.empty() ? core_count() : read_option("jobs", jobs_, IntegerCodec<>{between(1, 1024)});
+  }
+
+  /// That goes on with the study.
+  [[nodiscard]] std::string command() const {
+    std::string text = "mesopix study";
+    for (const std::string& word : input_.words()) text += " " + shell_word(word);
+    if (!members_.empty()) text += " --members " + members_;
+    if (!until_ci_.empty()) text += " --until-ci " + shell_word(until_ci_);
+    if (!jobs_.empty()) text += " --jobs " + jobs_;
+    return text;
+  }
+
+  /// Those of --members.
+  [[nodiscard]] std::vector<Member> wanted(const std::vector<Member>& members) const {
+    const std::size_t colon = members_.find(':');
+    const auto number = [&](std::string_view text) { return whole_number(trimmed(text)); };
+    const auto from = number(std::string_view(members_).substr(0, colon));
+    const auto to =
+        colon == std::string::npos ? std::nullopt : number(std::string_view(members_).substr(colon + 1));
+    const auto count = static_cast<std::int64_t>(members.size());
+    if (!from || !to || *from < 0 || *from >= *to || *to > count)
+      throw Rejected(Exit::usage, "--members", members_,
+                     fmt::format("must be I:J with 0 <= I < J <= {}, the number of members", count));
+    return {members.begin() + *from, members.begin() + *to};
+  }
+
+  [[nodiscard]] StudyTally work(const Study& study, const std::vector<Member>& members,
+                                const InterruptGuard& guard, Console& console) const {
+    TerminalLine line(console);
+    return run_members(study, input_.folder(), members, workers(),
+                       {[&](const StudyTally& tally) { line.show(study_text(tally, line.elapsed())); },
+                        [&] { return !guard.interrupted(); }});
+  }
+
+  [[nodiscard]] Exit say_interrupted(const StudyTally& tally, const std::vector<Member>& members,
+                                     Console& console) const {
+    if (json_) console.out << json_text(count_json(input_.folder(), members));
+    console.say(fmt::format("interrupted; {} of {} members are done or have failed, and are kept",
+                            tally.all - tally.open(), tally.all));
+    console.say("to go on: " + command());
+    return Exit::interrupted;
+  }
+
+  [[nodiscard]] Exit run_part(const Study& study, const std::vector<Member>& members,
+                              Console& console) const {
+    const InterruptGuard guard;
+    const StudyTally tally = work(study, members, guard, console);
+    if (tally.open() > 0) return say_interrupted(tally, members, console);
+    console.say(fmt::format("{} members, of which {} were there before", tally.all, tally.before));
+    if (json_) console.out << json_text(count_json(input_.folder(), members));
+    refuse_failures(study, input_.folder(), members);
+    return Exit::ok;
+  }
+
+  /// Runs the study, and as many seeds more as --until-ci asks for.
+  [[nodiscard]] Exit run_whole(Study study, std::vector<Member> members, Console& console) const {
+    const InterruptGuard guard;
+    const WholeStudy whole = run_whole_study(
+        std::move(study), std::move(members), input_.folder(), until_ci(),
+        [&](const Study& grown, const std::vector<Member>& all) { return work(grown, all, guard, console); });
+    if (!whole.results) return say_interrupted(whole.tally, whole.members, console);
+    finish(whole, console);
+    return Exit::ok;
+  }
+
+  /// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
+  void finish(const WholeStudy& whole, Console& console) const {
+    close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
+    if (json_)
+      console.out << json_text(study_json(input_.folder(), whole.study, whole.members, *whole.results));
+    refuse_failures(whole.study, input_.folder(), whole.members);
+    if (const double share = until_ci(); share > 0 && !(whole.half_width() <= share))
+      throw Rejected(Exit::data, "--until-ci", until_ci_,
+                     fmt::format("not met with {} seeds", whole.study.plan.seeds.size()),
+                     "choose a larger share");
+  }
+
+  /// 0 when it is not given.
+  [[nodiscard]] double until_ci() const {
+    if (until_ci_.empty()) return 0;
+    return read_option("until-ci", until_ci_, QuantityCodec{Dimension::ratio, inside(0, 1)});
+  }
+
+  StudyInput input_;
+  std::string members_;
+  std::string jobs_;
+  std::string until_ci_;
+  bool retry_ = false;
+};
+
 }  // namespace
 
-StudyCommand::StudyCommand(CLI::App& program)
-    : Command(program, "study", "Run a scene many times, with other seeds and values", study_footer()) {
-  input_.add_to(options());
-  options().value("--jobs", jobs_, "members at a time [one a core]", WholeNumberCodec().form());
-  options().value(
-      "--until-ci", until_ci_,
-      "more seeds until the 95 % confidence interval of the mean peak stress is within this share "
-      "of it, e.g. \"2 %\"",
-      text_form("RATIO"));
-  options().value("--members", members_,
-                  "only those from number I to before J, and no table: for several machines",
-                  text_form("I:J"));
-  options().add_flag("--retry", retry_, "run members again that have failed before");
-  options().add_flag("--json", json_, "number of members and mean peak as JSON on standard output");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-  below_.push_back(std::make_unique<StudySubmitCommand>(options()));
-  below_.push_back(std::make_unique<StudyStatusCommand>(options()));
-  below_.push_back(std::make_unique<StudyCollectCommand>(options()));
-}
-
-void StudyCommand::check_options() const {
-  input_.check();
-  if (!until_ci_.empty() && !members_.empty())
-    throw Rejected(Exit::usage, complaint("--until-ci", "given with --members", "", "give one of the two"));
-}
-
-int StudyCommand::workers() const {
-  return jobs_.empty() ? core_count() : read_option("jobs", jobs_, IntegerCodec<>{between(1, 1024)});
-}
-
-/// That goes on with the study.
-std::string StudyCommand::command() const {
-  std::string text = "mesopix study";
-  for (const std::string& word : input_.words()) text += " " + shell_word(word);
-  if (!members_.empty()) text += " --members " + members_;
-  if (!until_ci_.empty()) text += " --until-ci " + shell_word(until_ci_);
-  if (!jobs_.empty()) text += " --jobs " + jobs_;
-  return text;
-}
-
-/// Those of --members.
-std::vector<Member> StudyCommand::wanted(const std::vector<Member>& members) const {
-  const std::size_t colon = members_.find(':');
-  const auto number = [&](std::string_view text) { return whole_number(trimmed(text)); };
-  const auto from = number(std::string_view(members_).substr(0, colon));
-  const auto to =
-      colon == std::string::npos ? std::nullopt : number(std::string_view(members_).substr(colon + 1));
-  const auto count = static_cast<std::int64_t>(members.size());
-  if (!from || !to || *from < 0 || *from >= *to || *to > count)
-    throw Rejected(Exit::usage,
-                   complaint("--members", members_,
-                             fmt::format("must be I:J with 0 <= I < J <= {}, the number of members", count)));
-  return {members.begin() + *from, members.begin() + *to};
-}
-
-StudyTally StudyCommand::work(const Study& study, const std::vector<Member>& members,
-                              const InterruptGuard& guard, Console& console) const {
-  StudyLine line(console);
-  return run_members(
-      study, input_.folder(), members, workers(),
-      {[&](const StudyTally& tally) { line.show(tally); }, [&] { return !guard.interrupted(); }});
-}
-
-Exit StudyCommand::say_interrupted(const StudyTally& tally, const std::vector<Member>& members,
-                                   Console& console) const {
-  if (json_) console.out << json_text(count_json(input_.folder(), members));
-  console.say(fmt::format("interrupted; {} of {} members are done or have failed, and are kept",
-                          tally.all - tally.open(), tally.all));
-  console.say("to go on: " + command());
-  return Exit::interrupted;
-}
-
-Exit StudyCommand::run_part(const Study& study, const std::vector<Member>& members, Console& console) const {
-  const InterruptGuard guard;
-  const StudyTally tally = work(study, members, guard, console);
-  if (tally.open() > 0) return say_interrupted(tally, members, console);
-  console.say(fmt::format("{} members, of which {} were there before", tally.all, tally.before));
-  if (json_) console.out << json_text(count_json(input_.folder(), members));
-  refuse_failures(study, input_.folder(), members);
-  return Exit::ok;
-}
-
-/// Runs the study, and as many seeds more as --until-ci asks for.
-Exit StudyCommand::run_whole(Study study, std::vector<Member> members, Console& console) const {
-  const InterruptGuard guard;
-  const WholeStudy whole = run_whole_study(
-      std::move(study), std::move(members), input_.folder(), until_ci(),
-      [&](const Study& grown, const std::vector<Member>& all) { return work(grown, all, guard, console); });
-  if (!whole.results) return say_interrupted(whole.tally, whole.members, console);
-  finish(whole, console);
-  return Exit::ok;
-}
-
-/// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
-void StudyCommand::finish(const WholeStudy& whole, Console& console) const {
-  close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
-  if (json_)
-    console.out << json_text(study_json(input_.folder(), whole.study, whole.members, *whole.results));
-  refuse_failures(whole.study, input_.folder(), whole.members);
-  if (const double share = until_ci(); share > 0 && !(whole.half_width() <= share))
-    throw Rejected(Exit::data, complaint("--until-ci", until_ci_,
-                                         fmt::format("not met with {} seeds", whole.study.plan.seeds.size()),
-                                         "choose a larger share"));
-}
-
-/// 0 when it is not given.
-double StudyCommand::until_ci() const {
-  if (until_ci_.empty()) return 0;
-  return read_option("until-ci", until_ci_, QuantityCodec{Dimension::ratio, inside(0, 1)});
-}
-
-Exit StudyCommand::run(Console& console) {
-  for (const auto& command : below_)
-    if (command->options().parsed()) {
-      refuse_remaining(command->options());
-      return command->run(console);
-    }
-  console.quiet = quiet_;
-  check_options();
-  (void)workers();
-  (void)until_ci();
-  const Study study = read_study(input_.file());
-  if (!until_ci_.empty() && study.plan.seeds.empty())
-    throw Rejected(Exit::usage, complaint("--until-ci", until_ci_, "needs a study with seeds",
-                                          "write seeds = 10 into " + input_.file()));
-  const std::vector<Member> all = list_members(study);
-  const std::vector<Member> members = members_.empty() ? all : wanted(all);
-  check_scenes(study, members);
-  input_.folder().open(study, all);
-  if (retry_)
-    for (const Member& member : members) input_.folder().forget_failure(member);
-  return members_.empty() ? run_whole(study, members, console) : run_part(study, members, console);
-}
+CommandPointer study_command(CLI::App& parent) { return std::make_unique<StudyCommand>(parent); }
 
 }  // namespace app

@@ -1,4 +1,4 @@
-#include "apps/command/study_commands.hpp"
+#include "apps/command/study_input.hpp"
 
 #include <filesystem>
 
@@ -16,11 +16,10 @@ void StudyInput::add_to(Options& options) {
 }
 
 void StudyInput::check() const {
-  if (file_.empty())
-    throw Rejected(Exit::usage, complaint("STUDY", "missing", "", "mesopix study STUDY.toml"));
+  if (file_.empty()) throw Rejected(Exit::usage, "STUDY", "missing", "", "mesopix study STUDY.toml");
   if (kind_of_input(file_) != InputKind::scene)
-    throw Rejected(Exit::usage, complaint("STUDY", file_, "must be a study, study.toml",
-                                          "mesopix study --help shows what stands in it"));
+    throw Rejected(Exit::usage, "STUDY", file_, "must be a study, study.toml",
+                   "mesopix study --help shows what stands in it");
 }
 
 StudyFolder StudyInput::folder() const {

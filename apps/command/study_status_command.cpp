@@ -1,4 +1,4 @@
-#include "apps/command/study_commands.hpp"
+#include "apps/command/study_input.hpp"
 
 #include <fmt/format.h>
 
@@ -59,30 +59,38 @@ std::string job_text(const ClusterJob& job) {
   return "Slurm job " + job.id + ": " + (states.empty() ? "no task in the queue" : states);
 }
 
-}  // namespace
+class StudyStatusCommand : public Command {
+ public:
+  explicit StudyStatusCommand(CLI::App& study)
+      : Command(study, "status", "Tell how far a study is, here and in the queue of Slurm",
+                "Begun are members that have a checkpoint and no result yet.\n"
+                "Example: a study whose members run elsewhere\n"
+                "  mesopix study status study.toml") {
+    input_.add_to(options());
+    flag("--json", json_, "as JSON");
+  }
 
-StudyStatusCommand::StudyStatusCommand(CLI::App& study)
-    : Command(study, "status", "Tell how far a study is, here and in the queue of Slurm",
-              "Begun are members that have a checkpoint and no result yet.\n"
-              "Example: a study whose members run elsewhere\n"
-              "  mesopix study status study.toml") {
-  input_.add_to(options());
-  options().add_flag("--json", json_, "as JSON");
-}
-
-Exit StudyStatusCommand::run(Console& console) {
-  const OpenStudy study = open_study(input_);
-  const Count members = count(study);
-  const std::vector<ClusterJob> jobs = jobs_of(study);
-  if (json_) {
-    console.out << json_text(json_of(members, jobs));
+  Exit run(Console& console) override {
+    const OpenStudy study = open_study(input_);
+    const Count members = count(study);
+    const std::vector<ClusterJob> jobs = jobs_of(study);
+    if (json_) {
+      console.out << json_text(json_of(members, jobs));
+      return Exit::ok;
+    }
+    console.out << fmt::format("{}: {} members: {} done, {} failed, {} begun, {} open\n",
+                               printable(study.folder.path().string()), members.all, members.done,
+                               members.failed, members.begun, members.open);
+    for (const ClusterJob& job : jobs) console.out << job_text(job) << '\n';
     return Exit::ok;
   }
-  console.out << fmt::format("{}: {} members: {} done, {} failed, {} begun, {} open\n",
-                             printable(study.folder.path().string()), members.all, members.done,
-                             members.failed, members.begun, members.open);
-  for (const ClusterJob& job : jobs) console.out << job_text(job) << '\n';
-  return Exit::ok;
-}
+
+ private:
+  StudyInput input_;
+};
+
+}  // namespace
+
+CommandPointer study_status_command(CLI::App& parent) { return std::make_unique<StudyStatusCommand>(parent); }
 
 }  // namespace app

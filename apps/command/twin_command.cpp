@@ -1,4 +1,4 @@
-#include "apps/command/specimen_commands.hpp"
+#include "apps/command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -34,74 +34,74 @@ constexpr const char* twin_footer =
 
 std::vector<TwinRecord> make(const TwinTask& task, const fs::path& folder, const InterruptGuard& guard,
                              Console& console) {
-  TerminalLine line(console.err, console.err_is_terminal && !console.quiet);
+  TerminalLine line(console);
   const auto show = [&](std::size_t done) { line.show(fmt::format("{} of {} twins", done, task.count)); };
   show(0);
   return make_twins(
       task, folder, [&] { return guard.interrupted(); }, show);
 }
 
-}  // namespace
+class TwinCommand : public SettingsCommand {
+ public:
+  explicit TwinCommand(CLI::App& program)
+      : SettingsCommand(program, "twin", "Draw random specimens that are like a picture", twin_footer,
+                        offer_of_twin()) {
+    option("PICTURE", input_, "picture, specimen.h5 or scene.toml of the original",
+           file_form(picture_endings({"h5", "toml"})));
+    option("-n,--count", wish_.count, "number of twins [10]", WholeNumberCodec().form());
+    option("--seed", wish_.seed, "of the first twin; the others have those after it [1]",
+           WholeNumberCodec().form());
+    option("--twin-width", wish_.width, "of the twins [as the original]",
+           QuantityCodec{Dimension::length}.form());
+    option("--twin-height", wish_.height, "of the twins [as the original]",
+           QuantityCodec{Dimension::length}.form());
+    option("--twin-pixel-size", wish_.pixel_size, "of the twins [as the original]",
+           QuantityCodec{Dimension::length}.form());
+    option("--gap", wish_.gap, "least distance of aggregates; auto = as those of the original keep [auto]",
+           QuantityCodec{Dimension::length, {}, Word{"auto"}}.form());
+    option("--border", wish_.border,
+           "cut = that of a saw cut, which cuts aggregates; whole = a wall, which keeps them inside; "
+           "auto = as that of the original [auto]",
+           one_of({"auto", "cut", "whole"}));
+    folder_and_overwrite("runs/PICTURE-twins, ...");
+    json_and_quiet("statistics.json on standard output too");
+  }
 
-TwinCommand::TwinCommand(CLI::App& program)
-    : Command(program, "twin", "Draw random specimens that are like a picture", twin_footer),
-      settings_(options(), offer_of_twin()) {
-  options().value("PICTURE", input_, "picture, specimen.h5 or scene.toml of the original",
-                  file_form(picture_endings({"h5", "toml"})));
-  options().value("-n,--count", wish_.count, "number of twins [10]", WholeNumberCodec().form());
-  options().value("--seed", wish_.seed, "of the first twin; the others have those after it [1]",
-                  WholeNumberCodec().form());
-  options().value("--twin-width", wish_.width, "of the twins [as the original]",
-                  QuantityCodec{Dimension::length}.form());
-  options().value("--twin-height", wish_.height, "of the twins [as the original]",
-                  QuantityCodec{Dimension::length}.form());
-  options().value("--twin-pixel-size", wish_.pixel_size, "of the twins [as the original]",
-                  QuantityCodec{Dimension::length}.form());
-  options().value("--gap", wish_.gap,
-                  "least distance of aggregates; auto = as those of the original keep [auto]",
-                  QuantityCodec{Dimension::length, {}, Word{"auto"}}.form());
-  options().value("--border", wish_.border,
-                  "cut = that of a saw cut, which cuts aggregates; whole = a wall, which keeps them inside; "
-                  "auto = as that of the original [auto]",
-                  one_of({"auto", "cut", "whole"}));
-  options().value("-o,--output", output_, "folder [runs/PICTURE-twins, ...]", folder_form());
-  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
-  options().add_flag("--json", json_, "statistics.json on standard output too");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-std::vector<std::string> TwinCommand::prepare(const std::vector<std::string>& arguments) {
-  return settings_.take_phase_options(arguments);
-}
-
-Exit TwinCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (input_.empty())
-    throw Rejected(Exit::usage, complaint("PICTURE", "missing", "", "mesopix twin PICTURE"));
-  (void)twin_options(wish_);
-  Resolved resolved = resolve_input("PICTURE", input_, settings_.assignments());
-  console.locate = located_by(resolved.origins);
-  settle_source(resolved.settings);
-  Prepared prepared = prepare_specimen(resolved.settings);
-  const specimen::ItzOptions itz =
-      source_of(resolved.settings) == Source::file ? prepared.specimen.itz : resolved.settings.itz;
-  const TwinTask task = make_twin_task(wish_, input_, resolved.settings, itz, std::move(prepared.specimen));
-  const FreshFolder folder(make_run_folder(output_, task.name + "-twins", overwrite_));
-  const InterruptGuard guard;
-  const std::vector<TwinRecord> twins = make(task, folder.path(), guard, console);
-  if (twins.empty()) {
-    console.say("interrupted before a twin was made");
+  Exit run(Console& console) override {
+    require(input_, "PICTURE", "mesopix twin PICTURE");
+    (void)twin_options(wish_);
+    Resolved resolved = resolve_input("PICTURE", input_, settings_.assignments());
+    console.locate = located_by(resolved.origins);
+    settle_source(resolved.settings);
+    Prepared prepared = prepare_specimen(resolved.settings);
+    const specimen::ItzOptions itz =
+        source_of(resolved.settings) == Source::file ? prepared.specimen.itz : resolved.settings.itz;
+    const TwinTask task = make_twin_task(wish_, input_, resolved.settings, itz, std::move(prepared.specimen));
+    const FreshFolder folder(make_run_folder(output_, task.name + "-twins", overwrite_));
+    const InterruptGuard guard;
+    const std::vector<TwinRecord> twins = make(task, folder.path(), guard, console);
+    if (twins.empty()) {
+      console.say("interrupted before a twin was made");
+      return Exit::interrupted;
+    }
+    const TwinStatistics statistics = write_twin_statistics(folder.path(), task, twins, prepared.notes);
+    for (const std::string& note : statistics.notes) console.say("note: " + note);
+    console.say(twins_text(task, twins.size()));
+    for (const std::string& line : misfit_lines(task, statistics.misfit)) console.say(line);
+    if (json_) console.out << statistics.json;
+    console.say("wrote " + folder.path().string());
+    if (twins.size() == static_cast<std::size_t>(task.count)) return Exit::ok;
+    console.say("interrupted; the twins that were made are kept");
     return Exit::interrupted;
   }
-  const TwinStatistics statistics = write_twin_statistics(folder.path(), task, twins, prepared.notes);
-  for (const std::string& note : statistics.notes) console.say("note: " + note);
-  console.say(twins_text(task, twins.size()));
-  for (const std::string& line : misfit_lines(task, statistics.misfit)) console.say(line);
-  if (json_) console.out << statistics.json;
-  console.say("wrote " + folder.path().string());
-  if (twins.size() == static_cast<std::size_t>(task.count)) return Exit::ok;
-  console.say("interrupted; the twins that were made are kept");
-  return Exit::interrupted;
-}
+
+ private:
+  std::string input_;
+  TwinWish wish_;
+};
+
+}  // namespace
+
+CommandPointer twin_command(CLI::App& parent) { return std::make_unique<TwinCommand>(parent); }
 
 }  // namespace app

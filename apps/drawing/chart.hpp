@@ -1,6 +1,7 @@
 /// What a chart says: data, axes, series. How it looks is the matter of chart_layout and the renderers.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,14 @@ struct Series {
   bool dashed = false;
   bool dotted = false;  ///< a dot on each of its points
 };
+
+/// Where a line is broken.
+inline constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+
+/// Goes on with a line behind a gap, as far as both x and y reach.
+/// @param per_x, per_y  units of the axes in those of x and y.
+void add_line(Series& series, const std::vector<double>& x, const std::vector<double>& y, double per_x = 1,
+              double per_y = 1);
 
 /// A point that is pointed out, with a few words or none.
 struct Marker {

@@ -85,7 +85,7 @@ std::vector<Tick> ticks_of(const Axis& axis, const Range& range, int at_most) {
   std::vector<Tick> ticks;
   if (axis.logarithmic) {
     for (const double value : logarithmic_ticks(std::pow(10, range.low), std::pow(10, range.high), at_most))
-      ticks.push_back({std::log10(value), trimmed_power(value, 4)});
+      ticks.push_back({std::log10(value), concise_power(value, 4)});
     return ticks;
   }
   const Ticks round = ticks_between(range.low, range.high, at_most);
@@ -232,6 +232,18 @@ Drawing lay_out(const Chart& in_units, double width, double height) {
   for (const Series& series : chart.series) draw_series(drawing, frame, series);
   for (const Marker& marker : chart.markers) draw_marker(drawing, frame, marker);
   return drawing;
+}
+
+void add_line(Series& series, const std::vector<double>& x, const std::vector<double>& y, double per_x,
+              double per_y) {
+  if (!series.x.empty()) {
+    series.x.push_back(gap);
+    series.y.push_back(gap);
+  }
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    series.x.push_back(per_x * x[i]);
+    series.y.push_back(per_y * y[i]);
+  }
 }
 
 }  // namespace output

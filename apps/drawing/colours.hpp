@@ -16,6 +16,12 @@ enum class Ink { text, muted, grid, axis, first, second, third, fourth, fifth };
 inline constexpr std::array all_inks{Ink::text,   Ink::muted, Ink::grid,   Ink::axis, Ink::first,
                                      Ink::second, Ink::third, Ink::fourth, Ink::fifth};
 
+/// Lines that are told apart by their ink.
+inline constexpr std::size_t series_inks = 5;
+
+/// Of the lines of a chart, counted from 0: first ... fifth, and from the first one on again.
+[[nodiscard]] Ink ink_of_series(std::size_t number);
+
 /// Colours from Okabe and Ito's list, which stays apart for colour-blind eyes, made darker or lighter until
 /// lines have a contrast of at least 3:1 to the paper and words 4.5:1.
 [[nodiscard]] specimen::Rgb on_light_paper(Ink ink);

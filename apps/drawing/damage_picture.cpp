@@ -48,7 +48,7 @@ std::string missing_note(const DamageStages& stages) {
   std::vector<std::string> percents;
   for (const int percent : stages.missing) percents.push_back(fmt::format("{} %", percent));
   return fmt::format("The run ended at {:.0f} % of the peak strain: there is no picture of damage at {}.",
-                     std::floor(100 * stages.reached * (1 + 1e-6)), listed(percents));
+                     std::floor(100 * stages.reached * (1 + 1e-6)), app::listed(percents, "and"));
 }
 
 std::string picture_name(int percent, bool colour) {
@@ -121,19 +121,33 @@ specimen::Raster<Rgb> damage_picture(const specimen::LabelledMask& mask, const m
   return picture;
 }
 
+std::vector<LegendEntry> phases_in(const specimen::LabelledMask& mask,
+                                   const std::function<Rgb(std::uint8_t)>& colour_of) {
+  std::vector<LegendEntry> entries;
+  for (const std::uint8_t label : std::set(mask.labels.data.begin(), mask.labels.data.end()))
+    entries.push_back({colour_of(label), phase_word(mask.phases[label])});
+  return entries;
+}
+
+std::vector<LegendEntry> damage_entries(const specimen::LabelledMask& mask, const Palette& palette) {
+  std::vector<LegendEntry> entries =
+      phases_in(mask, [&](std::uint8_t label) { return palette.phases[label]; });
+  entries.insert(entries.begin(),
+                 {{palette.tension, "failed in tension"}, {palette.shear, "failed in shear"}});
+  return entries;
+}
+
 namespace {
 
+/// Of what is in the picture.
 std::vector<LegendEntry> legend_of(const specimen::LabelledMask& mask, const mpm::Result& result,
                                    double strain, const Palette& palette) {
   std::set<mpm::FailureMode> modes;
   for (Eigen::Index pixel = 0; pixel < result.failure_strain.size(); ++pixel)
     modes.insert(failure_at(result, pixel, strain));
-  std::vector<LegendEntry> entries;
-  if (modes.count(mpm::FailureMode::tension) > 0) entries.push_back({palette.tension, "failed in tension"});
-  if (modes.count(mpm::FailureMode::shear) > 0) entries.push_back({palette.shear, "failed in shear"});
-  const std::set<std::uint8_t> labels(mask.labels.data.begin(), mask.labels.data.end());
-  for (const std::uint8_t label : labels)
-    entries.push_back({palette.phases[label], phase_word(mask.phases[label])});
+  std::vector<LegendEntry> entries = damage_entries(mask, palette);
+  if (modes.count(mpm::FailureMode::shear) == 0) entries.erase(entries.begin() + 1);
+  if (modes.count(mpm::FailureMode::tension) == 0) entries.erase(entries.begin());
   return entries;
 }
 

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "apps/drawing/drawing.hpp"
+#include "apps/drawing/picture_parts.hpp"
 #include "libmpm/scene/result.hpp"
 #include "specimen/body/mask.hpp"
 #include "specimen/picture/picture.hpp"
@@ -62,6 +64,14 @@ struct Palette {
 [[nodiscard]] specimen::Raster<specimen::Rgb> damage_picture(const specimen::LabelledMask& mask,
                                                              const mpm::Result& result, double strain,
                                                              const Palette& palette);
+
+/// The phases that are in a mask.
+[[nodiscard]] std::vector<LegendEntry> phases_in(const specimen::LabelledMask& mask,
+                                                 const std::function<specimen::Rgb(std::uint8_t)>& colour_of);
+
+/// Both kinds of failure, and the phases that are in a mask.
+[[nodiscard]] std::vector<LegendEntry> damage_entries(const specimen::LabelledMask& mask,
+                                                      const Palette& palette);
 
 /// Damage at a platen strain [-], with a scale bar, a legend of what is in it, and a line of words below.
 /// @pre as damage_picture.

@@ -10,6 +10,7 @@ namespace output {
 namespace {
 
 using specimen::Raster;
+using specimen::Rgb;
 
 /// How far from a point its colour reaches along both axes [pixels of the mask].
 constexpr double reach = 0.75;
@@ -87,9 +88,6 @@ Raster<std::int32_t> nearest_points(const specimen::LabelledMask& mask, const st
     if (is_somewhere(points[i])) nearest.add(i, in_pixels(mask, points[i]));
   return nearest.points();
 }
-
-using specimen::Raster;
-using specimen::Rgb;
 
 bool has_end(const mpm::Result& result) { return result.end_x.size() > 0; }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "apps/text/markup.hpp"
+#include "apps/text/words.hpp"
 
 namespace output {
 namespace {
@@ -181,16 +182,9 @@ std::string vector_file(const Drawing& drawing, VectorFormat format, double marg
 
 namespace {
 
-std::string_view name_of(Anchor anchor) {
-  switch (anchor) {
-    case Anchor::start:
-      return "start";
-    case Anchor::middle:
-      return "middle";
-    case Anchor::end:
-      return "end";
-  }
-  return {};
+std::string name_of(Anchor anchor) {
+  using enum Anchor;
+  return app::word_in({{start, "start"}, {middle, "middle"}, {end, "end"}}, anchor);
 }
 
 std::string text_of(const std::vector<Place>& places) {

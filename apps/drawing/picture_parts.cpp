@@ -82,7 +82,7 @@ double add_picture(Drawing& drawing, specimen::Raster<specimen::Rgb> picture) {
 void add_scale_bar(Drawing& drawing, double px_per_metre, double y, const std::string& words) {
   const double length = round_length(0.25 * picture_width / px_per_metre);
   drawing.shapes.push_back(Stroke{{{0, y}, {length * px_per_metre, y}}, Ink::text, 3});
-  drawing.shapes.push_back(Words{{length * px_per_metre + 8, y + 5}, trimmed(1e3 * length) + " mm", 14});
+  drawing.shapes.push_back(Words{{length * px_per_metre + 8, y + 5}, concise(1e3 * length) + " mm", 14});
   drawing.shapes.push_back(Words{{picture_width, y + 5}, words, 14, Anchor::end});
 }
 

@@ -10,6 +10,7 @@
 #include "apps/drawing/picture_parts.hpp"
 #include "apps/drawing/ticks.hpp"
 #include "apps/text/figures.hpp"
+#include "apps/text/words.hpp"
 
 namespace output {
 namespace {
@@ -43,21 +44,14 @@ double stress_of(const mpm::FramePoint& p, StressComponent component) {
 }
 
 std::string phrase_of(StressComponent component, bool loaded) {
-  switch (component) {
-    case StressComponent::yy:
-      return loaded ? "stress in the direction of loading" : "vertical stress";
-    case StressComponent::xx:
-      return loaded ? "stress across the direction of loading" : "horizontal stress";
-    case StressComponent::xy:
-      return "shear stress";
-    case StressComponent::first:
-      return "largest principal stress";
-    case StressComponent::third:
-      return "smallest principal stress";
-    case StressComponent::mises:
-      return "von Mises stress";
-  }
-  return {};
+  using enum StressComponent;
+  return app::word_in({{yy, loaded ? "stress in the direction of loading" : "vertical stress"},
+                       {xx, loaded ? "stress across the direction of loading" : "horizontal stress"},
+                       {xy, "shear stress"},
+                       {first, "largest principal stress"},
+                       {third, "smallest principal stress"},
+                       {mises, "von Mises stress"}},
+                      component);
 }
 
 namespace {

@@ -6,17 +6,8 @@
 namespace exchange {
 
 const char* name_of(Edge edge) {
-  switch (edge) {
-    case Edge::bottom:
-      return "BOTTOM";
-    case Edge::right:
-      return "RIGHT";
-    case Edge::top:
-      return "TOP";
-    case Edge::left:
-      return "LEFT";
-  }
-  return "";
+  static constexpr std::array names{"BOTTOM", "RIGHT", "TOP", "LEFT"};  // in the order of `edges`
+  return names[static_cast<std::size_t>(edge)];
 }
 
 PixelMesh::PixelMesh(const specimen::LabelledMask& mask) : mask_(mask) {

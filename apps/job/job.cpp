@@ -116,10 +116,9 @@ bool all_void(const mpm::Scene& scene, Eigen::Index first_row) {
 void check_edges(const mpm::Scene& scene) {
   const bool top = all_void(scene, 0);
   if (!top && !all_void(scene, scene.labels.rows() - scene.points_per_cell)) return;
-  throw Rejected(Exit::data,
-                 complaint("specimen", top ? "void along its top edge" : "void along its bottom edge",
-                           "must touch both platens",
-                           "crop the picture with convert.crop to where the material begins"));
+  throw Rejected(Exit::data, "specimen", top ? "void along its top edge" : "void along its bottom edge",
+                 "must touch both platens",
+                 "crop the picture with convert.crop to where the material begins");
 }
 
 /// The paper's ITZ: a material point at each corner of each ring; corners outside the specimen are left out.
@@ -143,10 +142,9 @@ std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_
   const int right = old.cols % points_per_cell;
   if (top == 0 && right == 0) return {};
   if (top == old.rows || right == old.cols)
-    throw Rejected(Exit::data,
-                   complaint("solver.points_per_cell", std::to_string(points_per_cell),
-                             fmt::format("the specimen has only {} x {} pixels", old.cols, old.rows),
-                             "use smaller pixels"));
+    throw Rejected(Exit::data, "solver.points_per_cell", std::to_string(points_per_cell),
+                   fmt::format("the specimen has only {} x {} pixels", old.cols, old.rows),
+                   "use smaller pixels");
   specimen::Raster<std::uint8_t> cropped(old.rows - top, old.cols - right);
   for (int row = 0; row < cropped.rows; ++row)
     for (int col = 0; col < cropped.cols; ++col) cropped(row, col) = old(row + top, col);

@@ -71,8 +71,8 @@ Prepared with_rings(specimen::Converted converted, const Settings& settings) {
 void pin(const std::string& file, std::string& expected) {
   const std::string found = specimen::sha256_of_file(file);
   if (!expected.empty() && expected != found)
-    throw Rejected(Exit::data, complaint("specimen.sha256", file + " has " + found, "must be " + expected,
-                                         "bring the file back as it was, or remove specimen.sha256"));
+    throw Rejected(Exit::data, "specimen.sha256", file + " has " + found, "must be " + expected,
+                   "bring the file back as it was, or remove specimen.sha256");
   expected = found;
 }
 
@@ -134,10 +134,10 @@ bool same_file(const std::string& first, const std::string& second) {
 void check_output(const std::string& path, const std::string& input) {
   constexpr std::array<const char*, 6> endings{".h5", ".png", ".tif", ".tiff", ".bmp", ".pgm"};
   if (std::find(endings.begin(), endings.end(), ending(path)) == endings.end())
-    throw Rejected(Exit::usage, complaint("-o", path, "must end in .h5, .png, .tif, .tiff, .bmp or .pgm"));
+    throw Rejected(Exit::usage, "-o", path, "must end in .h5, .png, .tif, .tiff, .bmp or .pgm");
   for (const std::string& file : {path, preview_path(path)})
     if (!input.empty() && same_file(file, input))
-      throw Rejected(Exit::usage, complaint("-o", path, "would overwrite " + input, "choose another name"));
+      throw Rejected(Exit::usage, "-o", path, "would overwrite " + input, "choose another name");
 }
 
 std::vector<std::string> write_specimen_output(const std::string& path, const specimen::Specimen& specimen) {

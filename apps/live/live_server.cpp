@@ -124,8 +124,8 @@ LiveServer::LiveServer(int port, LiveAnswers answers) : parts_(std::make_unique<
   parts_->port = port > 0 ? (parts_->server.bind_to_port(host, port) ? port : -1)
                           : parts_->server.bind_to_any_port(host);
   if (parts_->port <= 0)
-    throw Rejected(Exit::io, complaint("--port", std::to_string(port), "is in use or not permitted",
-                                       "omit it to use any free port"));
+    throw Rejected(Exit::io, "--port", std::to_string(port), "is in use or not permitted",
+                   "omit it to use any free port");
   parts_->listener = std::thread([parts = parts_.get()] { parts->server.listen_after_bind(); });
   while (!parts_->server.is_running())
     std::this_thread::yield();  // else stop() would come too early to be heard

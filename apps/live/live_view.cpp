@@ -67,7 +67,7 @@ constexpr Seconds round_of_pages{0.7};   ///< in which every page that is open h
 
 }  // namespace
 
-LiveView::LiveView(LiveRun run, int port) : run_(std::move(run)) {
+LiveView::LiveView(RunSubject run, int port) : run_(std::move(run)) {
   server_ = std::make_unique<LiveServer>(
       port, LiveAnswers{[this] { return page(); }, [this](std::int64_t have) { return update(have); },
                         [this] { stopped_ = true; }});
@@ -121,10 +121,7 @@ std::shared_ptr<const LiveView::Look> LiveView::ask_for_first() {
   return look_;
 }
 
-RunRecord LiveView::record(const Look& look) const {
-  return {run_.specimen, run_.scene, look.result, run_.scene_toml, run_.scene_hash,
-          run_.title,    run_.notes, {},          look.goes_on};
-}
+RunRecord LiveView::record(const Look& look) const { return {run_, look.result, {}, look.goes_on}; }
 
 std::optional<std::string> LiveView::page() {
   const std::shared_ptr<const Look> look = ask_for_first();

@@ -36,22 +36,12 @@ struct Stage {
 
 namespace app {
 
-/// What the page tells beside the result.
-struct LiveRun {
-  const specimen::Specimen& specimen;
-  const mpm::Scene& scene;
-  std::string scene_toml;
-  std::string scene_hash;
-  std::string title;
-  std::vector<std::string> notes;
-};
-
 /// The solver hands over a copy of its result when a reader asks for news, and no more often than that all
 /// which this costs, copying and drawing, stays below a hundredth of the time.
 class LiveView {
  public:
   /// The specimen and the scene must outlive it.   @param port, @throws as LiveServer.
-  LiveView(LiveRun run, int port);
+  LiveView(RunSubject run, int port);
   ~LiveView();
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;
@@ -84,7 +74,7 @@ class LiveView {
   [[nodiscard]] std::optional<std::string> page();
   [[nodiscard]] std::optional<std::string> update(std::int64_t have);
 
-  LiveRun run_;
+  RunSubject run_;
   std::atomic<bool> wanted_ = false;   ///< a reader waits for a new look
   std::atomic<bool> stopped_ = false;  ///< by a reader
   std::mutex mutex_;                   ///< of all that follows

@@ -99,8 +99,7 @@ py::bytes png(const Body& body) {
 void refuse_sources(const std::vector<app::Assignment>& given) {
   for (const app::Assignment& one : given)
     if (app::group_of(one.key) == "specimen")
-      throw app::Rejected(app::Exit::usage,
-                          app::complaint(one.field, one.written, "given beside a specimen", "remove it"));
+      throw app::Rejected(app::Exit::usage, one.field, one.written, "given beside a specimen", "remove it");
 }
 
 }  // namespace

@@ -34,17 +34,16 @@ struct Fit {
 
 using FitPointer = std::shared_ptr<Fit>;
 
-app::TargetCurve measured_curve(const py::object& target) {
+app::Curve measured_curve(const py::object& target) {
   if (target.is_none() || is_path(target)) return {};
   const auto [strain, stress] = target.cast<std::pair<std::vector<double>, std::vector<double>>>();
   std::string table = "strain,stress_Pa\n";
   for (std::size_t i = 0; i < std::min(strain.size(), stress.size()); ++i)
     table += fmt::format("{},{}\n", strain[i], stress[i]);
   if (strain.size() != stress.size())
-    throw app::Rejected(
-        app::Exit::usage,
-        app::complaint("target", fmt::format("{} strains and {} stresses", strain.size(), stress.size()),
-                       "must be as many"));
+    throw app::Rejected(app::Exit::usage, "target",
+                        fmt::format("{} strains and {} stresses", strain.size(), stress.size()),
+                        "must be as many");
   return app::parse_target_curve(table, "target");
 }
 
@@ -125,7 +124,7 @@ void fit_save(const Fit& fit, const py::object& wanted, bool overwrite) {
 py::list fit_curves(const py::object& self) {
   py::list all;
   for (const app::SeedRun& run : self.cast<const Fit&>().found.runs)
-    all.append(curve_of(view(run.strain, self), view(run.stress, self)));
+    all.append(curve_of(view(run.curve.strain, self), view(run.curve.stress, self)));
   return all;
 }
 
@@ -133,7 +132,7 @@ std::string unmet(const Fit& fit) { return why_not_met(*fit.task, fit.found); }
 
 std::string fit_representation(const Fit& fit) {
   std::string text = "<mesopix.Calibration to " + target_text(fit.task->target) + ": misfit " +
-                     output::trimmed(100 * fit.found.misfit, 3) + " %";
+                     output::concise(100 * fit.found.misfit, 3) + " %";
   for (const auto& [key, value] : values(fit))
     text += "; " + key.cast<std::string>() + " = " + value.cast<std::string>();
   return text + ">";

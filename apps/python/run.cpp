@@ -42,8 +42,9 @@ struct Run {
   /// What that folder is written from; it refers to the run.
   [[nodiscard]] RunRecord record(const fs::path& folder) const {
     std::string toml = scene_toml(folder), digest = specimen::sha256_of_text(toml);
-    return {job.specimen,      job.scene,          result,    std::move(toml),
-            std::move(digest), job.settings.title, job.notes, estimate};
+    return {{job.specimen, job.scene, std::move(toml), std::move(digest), job.settings.title, job.notes},
+            result,
+            estimate};
   }
 };
 
@@ -94,15 +95,15 @@ class Task {
     const mpm::Scene& scene = run_->job.scene;
     const char* estimate = tolerance ? "tolerance" : wanted_.estimate_error ? "estimate_error" : nullptr;
     if (tolerance && wanted_.estimate_error)
-      throw app::Rejected(app::Exit::usage, app::complaint("tolerance", "given with estimate_error", "",
-                                                           "give one of the two"));
+      throw app::Rejected(app::Exit::usage, "tolerance", "given with estimate_error", "",
+                          "give one of the two");
     if (estimate != nullptr && !output::has_platens(scene))
-      throw app::Rejected(app::Exit::usage, app::complaint(estimate, "there are no platens",
-                                                           "needs a test in tension or compression"));
+      throw app::Rejected(app::Exit::usage, estimate, "there are no platens",
+                          "needs a test in tension or compression");
     if (scene.frames > 0 && wanted_.output.is_none())
-      throw app::Rejected(app::Exit::usage, app::complaint("output.frames", std::to_string(scene.frames),
-                                                           "are written into a folder while the run goes on",
-                                                           "give that folder as output, or 0 frames"));
+      throw app::Rejected(app::Exit::usage, "output.frames", std::to_string(scene.frames),
+                          "are written into a folder while the run goes on",
+                          "give that folder as output, or 0 frames");
   }
 
   /// Runs that nothing is told of but Ctrl-C.
@@ -121,8 +122,7 @@ class Task {
       run_->estimate = found.estimate;
     } catch (const app::NoEstimate& failed) {
       spectator_.conclude("interrupted", py::none());
-      throw app::Rejected(app::Exit::data,
-                          app::complaint("tolerance", "not met, " + failed.why, "", "nothing was written"));
+      throw app::Rejected(app::Exit::data, "tolerance", "not met, " + failed.why, "", "nothing was written");
     }
   }
 
@@ -221,7 +221,7 @@ void run_save(const Run& run, const py::object& folder, bool overwrite) {
 
 std::string run_representation(const Run& run) {
   const mpm::Result& result = run.result;
-  return "<mesopix.Result: peak " + output::trimmed(1e-6 * result.peak_stress, 4) + " MPa at strain " +
+  return "<mesopix.Result: peak " + output::concise(1e-6 * result.peak_stress, 4) + " MPa at strain " +
          app::strain_text(result.peak_strain) + "; " + std::to_string(result.tension_failures) +
          " tension and " + std::to_string(result.shear_failures) + " shear failures; " +
          output::phrase_of(result.stop) + ">";

@@ -82,8 +82,8 @@ void study_conclude(const BreakingsPointer& breakings, const Wanted& wanted, con
 
 void check_seeds(const Wanted& wanted, const app::Study& study) {
   if (wanted.share > 0 && study.plan.seeds.empty())
-    throw app::Rejected(app::Exit::usage, app::complaint("until_ci", fmt::format("{}", wanted.share),
-                                                         "needs a study with seeds", "give seeds = 10"));
+    throw app::Rejected(app::Exit::usage, "until_ci", fmt::format("{}", wanted.share),
+                        "needs a study with seeds", "give seeds = 10");
 }
 
 BreakingsPointer study(const py::object& input, const py::dict& settings, const py::dict& options,
@@ -140,7 +140,7 @@ py::dict units(const Breakings& breakings) {
 py::list study_curves(const py::object& self) {
   py::list all;
   for (const app::Curve& curve : breakings_of(self).whole.results->curves)
-    all.append(curve.x.empty() ? py::none() : curve_of(view(curve.x, self), view(curve.y, self)));
+    all.append(curve.empty() ? py::none() : curve_of(view(curve.strain, self), view(curve.stress, self)));
   return all;
 }
 

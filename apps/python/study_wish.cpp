@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 app::Rejected refused(const std::string& field, const std::string& value, const std::string& allowed,
                       const std::string& cure = {}) {
-  return {app::Exit::usage, app::complaint(field, value, allowed, cure)};
+  return {app::Exit::usage, field, value, allowed, cure};
 }
 
 /// Whether the same would be broken, wherever both came from.

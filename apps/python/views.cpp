@@ -16,7 +16,7 @@ namespace binding {
 namespace {
 
 [[noreturn]] void refuse(const std::string& value, const char* allowed, const char* cure = "") {
-  throw app::Rejected(app::Exit::data, app::complaint("image", value, allowed, cure));
+  throw app::Rejected(app::Exit::data, "image", value, allowed, cure);
 }
 
 std::string shape_text(const py::array& image) {

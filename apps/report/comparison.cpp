@@ -11,6 +11,7 @@
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report_data.hpp"
 #include "apps/report/report_parts.hpp"
+#include "apps/report/run_charts.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/version.hpp"
 
@@ -27,16 +28,10 @@ StrainUnit common_unit(const Runs& runs) {
 }
 
 Chart curves(const Runs& runs, const StrainUnit& unit) {
-  constexpr Ink inks[] = {Ink::first, Ink::second, Ink::third, Ink::fourth, Ink::fifth};
-  constexpr std::size_t count = std::size(inks);
   Chart chart{"Stress against strain of the runs", {"Strain", unit.name}, {"Stress", "MPa"}, {}, {}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    Series series{runs[i].name, {}, {}, inks[i % count], i >= count};
-    for (const mpm::HistoryRow& row : runs[i].result.history) {
-      series.x.push_back(unit.per_strain * row.strain);
-      series.y.push_back(1e-6 * row.stress);
-    }
-    chart.series.push_back(std::move(series));
+    chart.series.push_back(stress_series(runs[i].name, ink_of_series(i), runs[i].result, unit.per_strain));
+    chart.series.back().dashed = i >= series_inks;
   }
   return chart;
 }

@@ -52,12 +52,10 @@ std::string error_section(const RunRecord& record) {
           number_table({"Source", "Compared with", "Peak stress [MPa]", "Peak strain [" + unit.name + "]",
                         "Error of stress", "Error of strain", "Wall time [s]"},
                        rows) +
-          "<div class=\"remarks\">\n" +
-          paragraph(
+          remarks(paragraph(
               "The estimate covers the numerics only, not the material law, its parameters or the picture. "
               "With brittle phases a different order of failures alone changes the peak by some tenths of a "
-              "per cent, and a coarser picture has another random strength field.") +
-          "</div>\n");
+              "per cent, and a coarser picture has another random strength field.")));
 }
 
 }  // namespace output

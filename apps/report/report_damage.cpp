@@ -22,19 +22,6 @@ struct Look {
   Palette palette;
 };
 
-bool holds(const specimen::LabelledMask& mask, std::size_t label) {
-  const auto value = static_cast<std::uint8_t>(label);
-  return std::find(mask.labels.data.begin(), mask.labels.data.end(), value) != mask.labels.data.end();
-}
-
-std::string legend(const specimen::LabelledMask& mask, const Look& look) {
-  std::string html = fmt::format("<p class=\"legend {}\">\n", look.css_class);
-  html += swatch(look.palette.tension, "failed in tension") + swatch(look.palette.shear, "failed in shear");
-  for (std::size_t label = 0; label < mask.phases.size(); ++label)
-    if (holds(mask, label)) html += swatch(look.palette.phases[label], phase_word(mask.phases[label]));
-  return html + "</p>\n";
-}
-
 std::string figure(const RunRecord& record, const DamageStage& stage, const std::vector<Look>& looks) {
   const std::string share = fmt::format("{} % of the peak strain", stage.percent);
   std::string html = "<figure>\n";
@@ -64,7 +51,7 @@ std::string end_figure(const RunRecord& record, const std::vector<Look>& looks) 
 }
 
 /// What the pictures do not show.
-std::string remarks(const RunRecord& record, const DamageStages& stages) {
+std::string remarks_on(const RunRecord& record, const DamageStages& stages) {
   std::string html;
   const std::string missing = missing_note(stages);
   if (!missing.empty()) html += paragraph(missing);
@@ -89,11 +76,12 @@ std::string damage_section(const RunRecord& record) {
       "<label for=\"in-colour\">Colours</label>\n"
       "<input class=\"choice\" type=\"radio\" name=\"look\" id=\"in-grey\"/>"
       "<label for=\"in-grey\">Greys</label>\n";
-  for (const Look& look : looks) html += legend(record.specimen.mask, look);
-  html += "<div class=\"pictures\">\n";
-  for (const DamageStage& stage : stages.drawn) html += figure(record, stage, looks);
-  if (shows_end) html += end_figure(record, looks);
-  return section("Damage", html + "</div>\n<div class=\"remarks\">\n" + remarks(record, stages) + "</div>\n");
+  for (const Look& look : looks)
+    html += legend(look.css_class, damage_entries(record.specimen.mask, look.palette));
+  std::string figures;
+  for (const DamageStage& stage : stages.drawn) figures += figure(record, stage, looks);
+  if (shows_end) figures += end_figure(record, looks);
+  return section("Damage", html + pictures(figures) + remarks(remarks_on(record, stages)));
 }
 
 namespace {

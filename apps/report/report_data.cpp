@@ -109,8 +109,6 @@ std::string inert_text(const Json& json) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::int64_t pixels_of(const RunRecord& record) {
   return static_cast<std::int64_t>(record.specimen.mask.labels.data.size());
 }
@@ -198,8 +196,6 @@ Json film_growth(const RunRecord& record) {
           {"mode", packed(result.failure_mode)},
           {"crush", result.crush_strain.size() > 0 ? packed(result.crush_strain) : Json(nullptr)}};
 }
-
-using Json = nlohmann::ordered_json;
 
 Json strain_json(const RunRecord& record) {
   const StrainUnit unit = strain_unit(record.result);

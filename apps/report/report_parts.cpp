@@ -86,10 +86,27 @@ std::string section(const std::string& heading, const std::string& html) {
 
 std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n", escape(text)); }
 
+std::string remarks(const std::string& html) { return "<div class=\"remarks\">\n" + html + "</div>\n"; }
+
+std::string pictures(const std::string& html) { return "<div class=\"pictures\">\n" + html + "</div>\n"; }
+
+std::string notes_list(const std::vector<std::string>& notes) {
+  std::string html;
+  for (const std::string& note : notes) html += fmt::format("<li>{}</li>\n", escape(note));
+  return "<ul class=\"notes\">\n" + html + "</ul>\n";
+}
+
 std::string side_by_side(const std::string& css_class, const std::string& left_html,
                          const std::string& right_html) {
   return fmt::format("<div class=\"pair {}\">\n<div>\n{}</div>\n<div>\n{}</div>\n</div>\n", css_class,
                      left_html, right_html);
+}
+
+std::string in_pairs(const std::vector<std::string>& htmls) {
+  std::string html;
+  for (std::size_t i = 0; i < htmls.size(); i += 2)
+    html += side_by_side("even", htmls[i], i + 1 < htmls.size() ? htmls[i + 1] : "");
+  return html;
 }
 
 std::string facts_table(const std::vector<Fact>& facts) {
@@ -103,17 +120,22 @@ std::string facts_table(const std::vector<Fact>& facts) {
   return html + "</tbody>\n</table>\n";
 }
 
+std::string table(const std::string& css_class, const std::vector<std::string>& head,
+                  const std::string& rows_html) {
+  std::string html = fmt::format("<div class=\"scroll\">\n<table class=\"{}\">\n<thead><tr>", css_class);
+  for (const std::string& name : head) html += fmt::format("<th scope=\"col\">{}</th>", escape(name));
+  return html + "</tr></thead>\n<tbody>\n" + rows_html + "</tbody>\n</table>\n</div>\n";
+}
+
 std::string number_table(const std::vector<std::string>& head,
                          const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<div class=\"scroll\">\n<table class=\"numbers\">\n<thead><tr>";
-  for (const std::string& name : head) html += fmt::format("<th scope=\"col\">{}</th>", escape(name));
-  html += "</tr></thead>\n<tbody>\n";
+  std::string html;
   for (const auto& row : rows) {
     html += fmt::format("<tr><th scope=\"row\">{}</th>", escape(row.front()));
     for (std::size_t i = 1; i < row.size(); ++i) html += fmt::format("<td>{}</td>", escape(row[i]));
     html += "</tr>\n";
   }
-  return html + "</tbody>\n</table>\n</div>\n";
+  return table("numbers", head, html);
 }
 
 std::string chart_figure(const std::string& id, const Chart& chart, double width, double height,
@@ -150,6 +172,12 @@ std::string image(const specimen::Raster<specimen::Rgb>& picture, const std::str
 std::string swatch(specimen::Rgb colour, const std::string& name) {
   return fmt::format("<span class=\"swatch\"><i style=\"background:{}\"></i>{}</span>\n", hex(colour),
                      escape(name));
+}
+
+std::string legend(const std::string& css_class, const std::vector<LegendEntry>& entries) {
+  std::string html = fmt::format("<p class=\"legend{}{}\">\n", css_class.empty() ? "" : " ", css_class);
+  for (const LegendEntry& entry : entries) html += swatch(entry.colour, entry.name);
+  return html + "</p>\n";
 }
 
 std::string folded(const std::string& heading, const std::string& text) {

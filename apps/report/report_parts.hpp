@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/drawing/chart.hpp"
+#include "apps/drawing/picture_parts.hpp"
 #include "specimen/picture/picture.hpp"
 
 namespace output {
@@ -38,6 +39,9 @@ struct Fact {
 [[nodiscard]] std::string heading(const std::string& title, const std::string& setting);
 [[nodiscard]] std::string section(const std::string& heading, const std::string& html);
 [[nodiscard]] std::string paragraph(const std::string& text);
+[[nodiscard]] std::string remarks(const std::string& html);   ///< small, below what they are about
+[[nodiscard]] std::string pictures(const std::string& html);  ///< figures beside each other
+[[nodiscard]] std::string notes_list(const std::vector<std::string>& notes);
 
 /// Two columns on wide screens, one on narrow ones.
 /// @param css_class  "even", "lead" (the left one is wider) or "fit" (the left one is as wide as its
@@ -45,8 +49,16 @@ struct Fact {
 [[nodiscard]] std::string side_by_side(const std::string& css_class, const std::string& left_html,
                                        const std::string& right_html);
 
+/// Two beside each other, again and again.
+[[nodiscard]] std::string in_pairs(const std::vector<std::string>& htmls);
+
 /// Names, values and units in three columns.
 [[nodiscard]] std::string facts_table(const std::vector<Fact>& facts);
+
+/// A table that scrolls where it is too wide.
+/// @param css_class  "numbers", or "claims" for sentences.   @param rows_html  each with its <tr>.
+[[nodiscard]] std::string table(const std::string& css_class, const std::vector<std::string>& head,
+                                const std::string& rows_html);
 
 /// A table whose first column holds names and whose others hold numbers.
 [[nodiscard]] std::string number_table(const std::vector<std::string>& head,
@@ -68,6 +80,10 @@ struct Fact {
 
 /// A small square of colour with a name.
 [[nodiscard]] std::string swatch(specimen::Rgb colour, const std::string& name);
+
+/// What the colours of a picture mean.
+/// @param css_class  beside "legend"; may be empty.
+[[nodiscard]] std::string legend(const std::string& css_class, const std::vector<LegendEntry>& entries);
 
 /// Text in a fixed-width face that is folded away at first.
 [[nodiscard]] std::string folded(const std::string& heading, const std::string& text);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include "apps/drawing/damage_picture.hpp"
 #include "apps/text/words.hpp"
 
 #include "apps/drawing/ticks.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 /// Without the unit.
 std::string size_in_mm(const specimen::LabelledMask& mask) {
-  return trimmed(1e3 * mask.width()) + " × " + trimmed(1e3 * mask.height());
+  return concise(1e3 * mask.width()) + " × " + concise(1e3 * mask.height());
 }
 
 std::string size_in_pixels(const specimen::LabelledMask& mask) {
@@ -106,7 +107,7 @@ std::vector<Fact> specimen_facts(const RunRecord& record) {
   const specimen::LabelledMask& mask = record.specimen.mask;
   std::vector<Fact> facts{{"Size", size_in_mm(mask), "mm"},
                           {"Picture", size_in_pixels(mask), "pixels"},
-                          {"Pixel size", trimmed(1e3 * mask.pixel_size), "mm"}};
+                          {"Pixel size", concise(1e3 * mask.pixel_size), "mm"}};
   for (const auto& [phase, share] : phase_shares(mask))
     facts.push_back({"Area share of " + phase_word(phase), with_decimals(100 * share, 2), "%"});
   const std::vector<specimen::Inclusion>& inclusions = record.specimen.inclusions;
@@ -119,14 +120,8 @@ std::vector<Fact> specimen_facts(const RunRecord& record) {
 }
 
 std::string specimen_picture(const specimen::LabelledMask& mask) {
-  std::string legend;
-  for (std::size_t label = 0; label < mask.phases.size(); ++label) {
-    const auto value = static_cast<std::uint8_t>(label);
-    if (std::find(mask.labels.data.begin(), mask.labels.data.end(), value) != mask.labels.data.end())
-      legend += swatch(specimen::phase_colour(value), phase_word(mask.phases[label]));
-  }
-  return image(specimen::preview(mask), "The phases of the specimen", "") + "<p class=\"legend below\">" +
-         legend + "</p>\n";
+  return image(specimen::preview(mask), "The phases of the specimen", "") +
+         legend("below", phases_in(mask, specimen::phase_colour));
 }
 
 std::vector<std::string> failure_row(const FailureCount& count, bool with_crushed) {
@@ -186,9 +181,7 @@ std::string header_html(const RunRecord& record) {
 
 std::string notes_section(const RunRecord& record) {
   if (record.notes.empty()) return "";
-  std::string html = "<ul class=\"notes\">\n";
-  for (const std::string& note : record.notes) html += fmt::format("<li>{}</li>\n", escape(note));
-  return section("Notes", html + "</ul>\n");
+  return section("Notes", notes_list(record.notes));
 }
 
 std::string facts_part(const RunRecord& record) { return facts_table(run_facts(record)); }

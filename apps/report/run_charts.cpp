@@ -87,6 +87,11 @@ std::string peak_text(const mpm::Result& result, const StrainUnit& unit) {
 
 }  // namespace
 
+Series stress_series(const std::string& name, Ink ink, const mpm::Result& result, double per_strain) {
+  return {name, column(result.history, [=](const HistoryRow& row) { return per_strain * row.strain; }),
+          column(result.history, [](const HistoryRow& row) { return 1e-6 * row.stress; }), ink};
+}
+
 Chart stress_chart(const RunRecord& record) {
   const mpm::Result& result = record.result;
   const StrainUnit unit = strain_unit(result);
@@ -95,8 +100,7 @@ Chart stress_chart(const RunRecord& record) {
               {capitalised(name_of_stress(record.scene)), "MPa"},
               {},
               {}};
-  chart.series.push_back(
-      against_strain(record, "stress", Ink::first, [](const HistoryRow& row) { return 1e-6 * row.stress; }));
+  chart.series.push_back(stress_series("stress", Ink::first, result, unit.per_strain));
   if (result.peak_stress > 0)
     chart.markers.push_back(
         {unit.per_strain * result.peak_strain, 1e-6 * result.peak_stress, peak_text(result, unit)});
@@ -126,15 +130,14 @@ Chart energy_chart(const RunRecord& record) {
 Chart failure_chart(const RunRecord& record) {
   Chart chart{"Failed points against strain", strain_axis(record), {"Failed points", ""}, {}, {}};
   const FailureStrains strains = failure_strains(record);
-  const Ink inks[] = {Ink::first, Ink::second, Ink::third, Ink::fourth, Ink::fifth};
-  std::size_t ink = 0;
+  std::size_t lines = 0;
   for (std::size_t label = 0; label < strains.by_label.size(); ++label) {
     const auto& [tension, shear] = strains.by_label[label];
     if (tension.empty() && shear.empty()) continue;
     const std::string phase = phase_word(record.specimen.mask.phases[label]);
-    if (!tension.empty()) chart.series.push_back(so_far(record, phase + " in tension", inks[ink], tension));
-    if (!shear.empty()) chart.series.push_back(so_far(record, phase + " in shear", inks[ink], shear, true));
-    ink = (ink + 1) % std::size(inks);
+    const Ink ink = ink_of_series(lines++);
+    if (!tension.empty()) chart.series.push_back(so_far(record, phase + " in tension", ink, tension));
+    if (!shear.empty()) chart.series.push_back(so_far(record, phase + " in shear", ink, shear, true));
   }
   if (!strains.extra.empty())
     chart.series.push_back(so_far(record, "extra points", Ink::muted, strains.extra));

@@ -1,6 +1,7 @@
 /// The charts of a run and its specimen.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "apps/drawing/chart.hpp"
@@ -8,6 +9,10 @@
 #include "specimen/body/specimen.hpp"
 
 namespace output {
+
+/// The stress [MPa] of a result against its strain in a unit.
+[[nodiscard]] Series stress_series(const std::string& name, Ink ink, const mpm::Result& result,
+                                   double per_strain = 1e6);
 
 /// Stress [MPa] against strain [microstrain], the peak marked.
 [[nodiscard]] Chart stress_chart(const RunRecord& record);

@@ -40,15 +40,19 @@ struct ErrorEstimate {
 
 }  // namespace output
 
+/// What a run is, whatever comes of it.
+struct RunSubject {
+  const specimen::Specimen& specimen;  ///< what is broken; its mask has the shape of the scene's labels
+  const mpm::Scene& scene;             ///< as it is solved
+  std::string scene_toml;              ///< the resolved scene, every default written out
+  std::string scene_hash;              ///< SHA-256 of scene_toml, lower-case hexadecimal
+  std::string title;                   ///< the user's own words; escaped wherever it is shown
+  std::vector<std::string> notes;      ///< what was guessed or cut short, one sentence each
+};
+
 /// A run, as the files of its folder need it: finished, or looked at on its way.
-struct RunRecord {
-  const specimen::Specimen& specimen;  ///< what was broken; its mask has the shape of the scene's labels
-  const mpm::Scene& scene;             ///< as it was solved
+struct RunRecord : RunSubject {
   const mpm::Result& result;
-  std::string scene_toml;                     ///< the resolved scene, every default written out
-  std::string scene_hash;                     ///< SHA-256 of scene_toml, lower-case hexadecimal
-  std::string title;                          ///< the user's own words; escaped wherever it is shown
-  std::vector<std::string> notes;             ///< what was guessed or cut short, one sentence each
   output::ErrorEstimate error_estimate = {};  ///< of the peak; without sources when none was asked for
   bool goes_on = false;                       ///< the run is not over yet
 };

@@ -7,19 +7,13 @@
 #include <vector>
 
 #include "apps/text/figures.hpp"
+#include "apps/text/words.hpp"
 
 namespace output {
 
 std::string word_of(mpm::Direction direction) {
-  switch (direction) {
-    case mpm::Direction::tension:
-      return "tension";
-    case mpm::Direction::compression:
-      return "compression";
-    case mpm::Direction::none:
-      return "none";
-  }
-  return {};
+  using enum mpm::Direction;
+  return app::word_in({{tension, "tension"}, {compression, "compression"}, {none, "none"}}, direction);
 }
 
 std::string word_of(mpm::Platen platen) { return platen == mpm::Platen::smooth ? "smooth" : "rough"; }
@@ -33,55 +27,28 @@ std::string word_of(mpm::Precision precision) {
 }
 
 std::string word_of(mpm::CrackClosure law) {
-  switch (law) {
-    case mpm::CrackClosure::off:
-      return "off";
-    case mpm::CrackClosure::clipped:
-      return "clipped";
-    case mpm::CrackClosure::unilateral:
-      return "unilateral";
-  }
-  return {};
+  using enum mpm::CrackClosure;
+  return app::word_in({{off, "off"}, {clipped, "clipped"}, {unilateral, "unilateral"}}, law);
 }
 
 std::string word_of(mpm::Kinematics kinematics) {
-  switch (kinematics) {
-    case mpm::Kinematics::small_strain:
-      return "small_strain";
-    case mpm::Kinematics::moving:
-      return "moving";
-    case mpm::Kinematics::automatic:
-      return "auto";
-  }
-  return {};
+  using enum mpm::Kinematics;
+  return app::word_in({{small_strain, "small_strain"}, {moving, "moving"}, {automatic, "auto"}}, kinematics);
 }
 
 std::string word_of(mpm::StopReason reason) {
-  switch (reason) {
-    case mpm::StopReason::strain:
-      return "strain";
-    case mpm::StopReason::time:
-      return "time";
-    case mpm::StopReason::drop:
-      return "drop";
-    case mpm::StopReason::interrupted:
-      return "interrupted";
-  }
-  return {};
+  using enum mpm::StopReason;
+  return app::word_in({{strain, "strain"}, {time, "time"}, {drop, "drop"}, {interrupted, "interrupted"}},
+                      reason);
 }
 
 std::string phrase_of(mpm::StopReason reason) {
-  switch (reason) {
-    case mpm::StopReason::strain:
-      return "the final strain was reached";
-    case mpm::StopReason::time:
-      return "its duration was over";
-    case mpm::StopReason::drop:
-      return "the stress had dropped";
-    case mpm::StopReason::interrupted:
-      return "it was interrupted";
-  }
-  return {};
+  using enum mpm::StopReason;
+  return app::word_in({{strain, "the final strain was reached"},
+                       {time, "its duration was over"},
+                       {drop, "the stress had dropped"},
+                       {interrupted, "it was interrupted"}},
+                      reason);
 }
 
 namespace {
@@ -119,10 +86,10 @@ std::string name_of_loading(const mpm::Scene& scene) {
 std::string setting_of_loading(const mpm::Scene& scene) {
   const mpm::Loading& loading = scene.loading;
   if (has_platens(scene))
-    return fmt::format("{} at {} m/s, {} platens{}", name_of_loading(scene), trimmed(loading.velocity),
+    return fmt::format("{} at {} m/s, {} platens{}", name_of_loading(scene), concise(loading.velocity),
                        word_of(loading.platen), loading.separation ? " with separation" : "");
   std::string text = fmt::format("{} at {} m/s", name_of_loading(scene),
-                                 trimmed(std::hypot(loading.initial_velocity_x, loading.initial_velocity_y)));
+                                 concise(std::hypot(loading.initial_velocity_x, loading.initial_velocity_y)));
   for (const std::string& wall : walls(scene.motion)) text += ", " + wall;
   return text;
 }
@@ -149,9 +116,9 @@ std::string meaning_of_curve(const mpm::Scene& scene) {
 std::string meaning_of_energy(const mpm::Scene& scene) {
   std::vector<std::string> parts{"elastic energy", "kinetic energy", "energy released by failing points"};
   if (scene.local_damping > 0) parts.emplace_back("damped energy");
-  std::string text =
-      fmt::format("The energy ledger: {} is the sum of {}.",
-                  has_platens(scene) ? "the work of the platens" : "the initial energy", listed(parts));
+  std::string text = fmt::format("The energy ledger: {} is the sum of {}.",
+                                 has_platens(scene) ? "the work of the platens" : "the initial energy",
+                                 app::listed(parts, "and"));
   if (scene.kinematics != mpm::Kinematics::small_strain)
     text += " Any difference is numerical dissipation of the moving points.";
   return text;

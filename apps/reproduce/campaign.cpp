@@ -20,8 +20,8 @@ void check_id(const std::string& id) {
     if (has_id(figure, id)) return;
     known.insert(known.end(), figure.ids.begin(), figure.ids.end());
   }
-  throw Rejected(Exit::usage, complaint("--figure", id, "must be " + listed(known),
-                                        "leave it out, or give --all, for all of them"));
+  throw Rejected(Exit::usage, "--figure", id, "must be " + listed(known),
+                 "leave it out, or give --all, for all of them");
 }
 
 }  // namespace
@@ -54,48 +54,49 @@ std::string name_of(const Figure& figure) {
 namespace {
 
 /// Run what is expected and not yet done.
-void run_open(Outcomes& outcomes, int workers, const CampaignWatch& watch) {
+void run_open(TrialResults& outcomes, int workers, const Watch& watch) {
   std::vector<std::function<void()>> jobs;
-  for (Outcomes::Entry& entry : outcomes.entries())
+  for (TrialResults::Entry& entry : outcomes.entries())
     if (!entry.outcome.done)
       jobs.emplace_back([&entry, &watch] { entry.outcome = run_trial(entry.trial, watch.go_on); });
   const std::size_t before = outcomes.entries().size() - jobs.size(), all = outcomes.entries().size();
-  run_jobs(jobs, workers, {[&](std::size_t done) { watch.run_done(before + done, all); }, watch.go_on});
+  run_jobs(jobs, workers,
+           {[&](std::size_t done, std::size_t) { watch.tell(before + done, all); }, watch.go_on});
 }
 
-bool all_done(const std::vector<Trial>& trials, const Outcomes& outcomes) {
+bool all_done(const std::vector<Trial>& trials, const TrialResults& outcomes) {
   return std::all_of(trials.begin(), trials.end(), [&](const Trial& trial) { return outcomes.has(trial); });
 }
 
 /// Trials of the second round, for a figure whose first round is done.
-std::vector<Trial> more_trials(const Figure& figure, const Study& study, const Outcomes& outcomes) {
-  if (!figure.more_trials || !all_done(figure.trials(study), outcomes)) return {};
-  return figure.more_trials(study, outcomes);
+std::vector<Trial> more_trials(const Figure& figure, const Effort& effort, const TrialResults& outcomes) {
+  if (!figure.more_trials || !all_done(figure.trials(effort), outcomes)) return {};
+  return figure.more_trials(effort, outcomes);
 }
 
-FigureResult result_of(const Figure& figure, const Study& study, const Outcomes& outcomes) {
+FigureResult result_of(const Figure& figure, const Effort& effort, const TrialResults& outcomes) {
   FigureResult result{&figure, false, {}};
   result.done =
-      all_done(figure.trials(study), outcomes) && all_done(more_trials(figure, study, outcomes), outcomes);
-  if (result.done) result.section = figure.evaluate(study, outcomes);
+      all_done(figure.trials(effort), outcomes) && all_done(more_trials(figure, effort, outcomes), outcomes);
+  if (result.done) result.section = figure.evaluate(effort, outcomes);
   return result;
 }
 
 }  // namespace
 
-Reproduction reproduce_figures(const std::vector<const Figure*>& figures, const Study& study, int workers,
-                               const CampaignWatch& watch) {
+Reproduction reproduce_figures(const std::vector<const Figure*>& figures, const Effort& effort, int workers,
+                               const Watch& watch) {
   const auto start = std::chrono::steady_clock::now();
-  Reproduction reproduction{{}, {}, study, workers, 0, false};
-  Outcomes& outcomes = reproduction.outcomes;
+  Reproduction reproduction{{}, {}, effort, workers, 0, false};
+  TrialResults& outcomes = reproduction.outcomes;
   for (const Figure* figure : figures)
-    for (const Trial& trial : figure->trials(study)) outcomes.expect(trial);
+    for (const Trial& trial : figure->trials(effort)) outcomes.expect(trial);
   run_open(outcomes, workers, watch);
   for (const Figure* figure : figures)
-    for (const Trial& trial : more_trials(*figure, study, outcomes)) outcomes.expect(trial);
+    for (const Trial& trial : more_trials(*figure, effort, outcomes)) outcomes.expect(trial);
   run_open(outcomes, workers, watch);
-  for (const Figure* figure : figures) reproduction.figures.push_back(result_of(*figure, study, outcomes));
-  reproduction.interrupted = !watch.go_on();
+  for (const Figure* figure : figures) reproduction.figures.push_back(result_of(*figure, effort, outcomes));
+  reproduction.interrupted = !watch.goes_on();
   reproduction.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return reproduction;
 }

@@ -8,6 +8,7 @@
 
 #include "apps/command/command.hpp"
 #include "apps/reproduce/figure.hpp"
+#include "apps/system/job_pool.hpp"
 
 namespace app::reproduce {
 
@@ -29,21 +30,16 @@ struct FigureResult {
 
 struct Reproduction {
   std::vector<FigureResult> figures;
-  Outcomes outcomes;
-  Study study;
+  TrialResults outcomes;
+  Effort effort;
   int workers = 1;
   double wall_time = 0;  ///< [s]
   bool interrupted = false;
 };
 
-struct CampaignWatch {
-  std::function<void(std::size_t done, std::size_t all)> run_done;  ///< by one thread at a time
-  std::function<bool()> go_on;                                      ///< asked by all threads
-};
-
 /// @param workers  runs at a time, each on one thread.   @throws the exceptions of run_trial.
-[[nodiscard]] Reproduction reproduce_figures(const std::vector<const Figure*>& figures, const Study& study,
-                                             int workers, const CampaignWatch& watch);
+[[nodiscard]] Reproduction reproduce_figures(const std::vector<const Figure*>& figures, const Effort& effort,
+                                             int workers, const Watch& watch);
 
 /// Claims of the figures that are done, in their order.
 [[nodiscard]] std::vector<Claim> claims_of(const Reproduction& reproduction);
@@ -61,19 +57,6 @@ struct CampaignWatch {
 
 namespace app {
 
-class ReproduceCommand : public Command {
- public:
-  explicit ReproduceCommand(CLI::App& program);
-  Exit run(Console& console) override;
-
- private:
-  std::vector<std::string> figures_;
-  std::string output_;
-  int jobs_ = 0;  ///< 0 = as many as there are cores
-  bool all_ = false;
-  bool overwrite_ = false;
-  bool json_ = false;
-  bool quiet_ = false;
-};
+[[nodiscard]] CommandPointer reproduce_command(CLI::App& program);
 
 }  // namespace app

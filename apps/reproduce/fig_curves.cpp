@@ -33,11 +33,11 @@ struct Direction {
   std::vector<Reference> references;
 };
 
-std::vector<Trial> curves_trials(const Study& study) {
+std::vector<Trial> curves_trials(const Effort& effort) {
   std::vector<Trial> all;
   for (const char* scene : {"tension", "compression"}) {
-    for (int seed = 1; seed <= study.specimens; ++seed) all.push_back(square_trial(study, scene, seed));
-    all.push_back(square_trial(study, scene, 1, {{"itz.mode", "points"}}));
+    for (int seed = 1; seed <= effort.specimens; ++seed) all.push_back(square_trial(effort, scene, seed));
+    all.push_back(square_trial(effort, scene, 1, {{"itz.mode", "points"}}));
   }
   return all;
 }
@@ -53,11 +53,11 @@ std::vector<Reference> references_of(const Direction& direction) {
            output::en_compression_peak_strain(strength)}};
 }
 
-Direction direction_of(const Study& study, const Outcomes& outcomes, const std::string& name) {
+Direction direction_of(const Effort& effort, const TrialResults& outcomes, const std::string& name) {
   std::vector<double> stresses, strains, moduli;
   std::vector<Curve> curves;
-  for (int seed = 1; seed <= study.specimens; ++seed) {
-    const mpm::Result& result = outcomes.of(square_trial(study, name, seed)).result;
+  for (int seed = 1; seed <= effort.specimens; ++seed) {
+    const mpm::Result& result = outcomes.of(square_trial(effort, name, seed)).result;
     stresses.push_back(result.peak_stress);
     strains.push_back(result.peak_strain);
     moduli.push_back(output::secant_modulus(result));
@@ -97,8 +97,8 @@ double distance(const Direction& direction, const Reference& reference, double f
   return mean_distance(direction.band, reference.curve, from, to);
 }
 
-std::string text_of(const Direction& direction, const Study& study) {
-  std::string text = "In " + direction.name + " " + counted(study.specimens, "random specimen") + " bear " +
+std::string text_of(const Direction& direction, const Effort& effort) {
+  std::string text = "In " + direction.name + " " + counted(effort.specimens, "random specimen") + " bear " +
                      megapascals(direction.peak_stress) + " at " + microstrain(direction.peak_strain) +
                      "; the secant modulus is " + output::rounded(1e-9 * direction.young) + " GPa.";
   for (const Reference& reference : direction.references)
@@ -110,14 +110,14 @@ std::string text_of(const Direction& direction, const Study& study) {
 }
 
 /// What the paper's own way of drawing the ITZ changes.
-std::string itz_text(const Study& study, const Outcomes& outcomes) {
+std::string itz_text(const Effort& effort, const TrialResults& outcomes) {
   std::string text =
       "The ITZ is a closed ring of pixels here. With the paper's 36 extra points on each boundary "
       "the first specimen bears ";
   for (const std::string name : {"tension", "compression"}) {
     const double points =
-        outcomes.of(square_trial(study, name, 1, {{"itz.mode", "points"}})).result.peak_stress;
-    const double ring = outcomes.of(square_trial(study, name, 1)).result.peak_stress;
+        outcomes.of(square_trial(effort, name, 1, {{"itz.mode", "points"}})).result.peak_stress;
+    const double ring = outcomes.of(square_trial(effort, name, 1)).result.peak_stress;
     text += megapascals(points) + " in place of " + megapascals(ring) + " in " + name +
             (name == "tension" ? " and " : ".");
   }
@@ -153,7 +153,7 @@ std::string why_of(Verdict verdict, const std::vector<Comparison>& comparisons) 
   const std::string limit = output::percent(near, 0) + " of the peak";
   std::string why = verdict == Verdict::agrees      ? "Every distance is at most " + limit + "."
                     : verdict == Verdict::disagrees ? "No distance is at most " + limit + "."
-                                                    : "At most " + limit + ": " + output::listed(holds) + ".";
+                                                    : "At most " + limit + ": " + listed(holds, "and") + ".";
   if (!falls_with_the_codes)
     why +=
         " A point that fails loses all its stress at once, so a crack crosses the specimen nearly at the "
@@ -193,13 +193,13 @@ nlohmann::json json_of(const Direction& direction) {
   return json;
 }
 
-Section evaluate_curves(const Study& study, const Outcomes& outcomes) {
-  const std::vector<Direction> directions{direction_of(study, outcomes, "tension"),
-                                          direction_of(study, outcomes, "compression")};
+Section evaluate_curves(const Effort& effort, const TrialResults& outcomes) {
+  const std::vector<Direction> directions{direction_of(effort, outcomes, "tension"),
+                                          direction_of(effort, outcomes, "compression")};
   std::string html, charts[2];
   nlohmann::json data;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    html += output::paragraph(text_of(directions[i], study));
+    html += output::paragraph(text_of(directions[i], effort));
     charts[i] =
         output::chart_figure(chart_of(directions[i]), 480, 360,
                              "In " + directions[i].name +
@@ -209,7 +209,7 @@ Section evaluate_curves(const Study& study, const Outcomes& outcomes) {
     data[directions[i].name] = json_of(directions[i]);
   }
   return {html + output::side_by_side("even", charts[0], charts[1]) +
-              output::paragraph(itz_text(study, outcomes)),
+              output::paragraph(itz_text(effort, outcomes)),
           data,
           {claim_of(directions)}};
 }

@@ -9,12 +9,12 @@ namespace {
 
 const std::vector<int> percents(output::stage_percents.begin(), output::stage_percents.end());
 
-Trial trial_of(const Study& study, const std::string& scene) {
-  return square_trial(study, scene, 1, {}, true);
+Trial trial_of(const Effort& effort, const std::string& scene) {
+  return square_trial(effort, scene, 1, {}, true);
 }
 
-std::vector<Trial> damage_trials(const Study& study) {
-  return {trial_of(study, "tension"), trial_of(study, "compression")};
+std::vector<Trial> damage_trials(const Effort& effort) {
+  return {trial_of(effort, "tension"), trial_of(effort, "compression")};
 }
 
 /// Share of the failures up to a stage that were in tension [-]; NaN where nothing failed.
@@ -76,14 +76,15 @@ nlohmann::json json_of(const output::DamageStages& stages) {
   return json;
 }
 
-Section evaluate_damage(const Study& study, const Outcomes& outcomes) {
+Section evaluate_damage(const Effort& effort, const TrialResults& outcomes) {
   Section section;
   for (const std::string name : {"tension", "compression"}) {
-    const Outcome& outcome = outcomes.of(trial_of(study, name));
+    const TrialResult& outcome = outcomes.of(trial_of(effort, name));
     const output::DamageStages stages = output::damage_stages(outcome.result);
     section.html += "<h3>" + std::string(name == "tension" ? "Figure 6. Tension" : "Figure 7. Compression") +
                     "</h3>\n" + output::paragraph(text_of(stages, name)) +
-                    damage_legend(outcome.specimen.mask) + gallery(damage_pictures(outcome, percents));
+                    damage_legend(outcome.specimen.mask) +
+                    output::pictures(damage_pictures(outcome, percents));
     section.data[name] = json_of(stages);
     if (name == "compression") section.claims.push_back(claim_of(stages));
   }

@@ -24,8 +24,8 @@ struct Made {
   double aggregates = 0, aggregate_points = 0, mortar_points = 0, itz_points = 0;
 };
 
-Made make(const Study& study, int seed) {
-  const Settings settings = settings_of(square_trial(study, "generation", seed));
+Made make(const Effort& effort, int seed) {
+  const Settings settings = settings_of(square_trial(effort, "generation", seed));
   const auto start = std::chrono::steady_clock::now();
   Made made;
   made.specimen = prepare_specimen(settings).specimen;
@@ -51,12 +51,12 @@ std::string picture(const specimen::Specimen& specimen) {
         if (pixels.contains(row - side / 2, col + side % 2))
           pixels(row - side / 2, col + side % 2) = specimen::phase_colour(specimen::phase::itz);
     }
-  std::string legend;
+  std::vector<output::LegendEntry> legend;
   for (const std::uint8_t label : {specimen::phase::aggregate, specimen::phase::mortar, specimen::phase::itz})
-    legend += output::swatch(specimen::phase_colour(label),
-                             label == specimen::phase::itz ? "ITZ points" : mask.phases[label]);
-  return output::image(pixels, "The specimen with its extra ITZ points", "") + "<p class=\"legend below\">" +
-         legend + "</p>\n";
+    legend.push_back(
+        {specimen::phase_colour(label), label == specimen::phase::itz ? "ITZ points" : mask.phases[label]});
+  return output::image(pixels, "The specimen with its extra ITZ points", "") +
+         output::legend("below", legend);
 }
 
 std::string milliseconds(double seconds) { return output::rounded(1e3 * seconds, 2) + " ms"; }
@@ -72,7 +72,7 @@ std::string table(const Made& made, double seconds) {
        {"Points in the mortar", whole(paper_mortar_points), whole(made.mortar_points)},
        {"Extra points in the ITZ", whole(paper_itz_points), whole(made.itz_points)},
        {"Points in all", whole(paper_total), whole(total)},
-       {"Time", output::trimmed(paper_seconds / 60) + " min", milliseconds(seconds)}});
+       {"Time", output::concise(paper_seconds / 60) + " min", milliseconds(seconds)}});
 }
 
 std::string points_text(double aggregate, double mortar, double itz) {
@@ -104,7 +104,7 @@ Claim time_claim(double seconds) {
   const bool holds = seconds <= paper_seconds;
   return {"generation-time",
           "1",
-          "A specimen is made in " + output::trimmed(paper_seconds / 60) + " minutes.",
+          "A specimen is made in " + output::concise(paper_seconds / 60) + " minutes.",
           "Made in " + milliseconds(seconds) + ".",
           holds ? Verdict::agrees : Verdict::disagrees,
           holds
@@ -113,11 +113,11 @@ Claim time_claim(double seconds) {
               : "It took longer than the paper's time."};
 }
 
-Section evaluate_generation(const Study& study, const Outcomes&) {
-  const Made made = make(study, 1);
+Section evaluate_generation(const Effort& effort, const TrialResults&) {
+  const Made made = make(effort, 1);
   std::vector<double> seconds, aggregates;
-  for (int seed = 1; seed <= study.specimens; ++seed) {
-    const Made other = make(study, seed);
+  for (int seed = 1; seed <= effort.specimens; ++seed) {
+    const Made other = make(effort, seed);
     seconds.push_back(other.seconds);
     aggregates.push_back(other.aggregates);
   }
@@ -126,7 +126,7 @@ Section evaluate_generation(const Study& study, const Outcomes&) {
       "Random ellipses are placed largest first, at an exact gap, until they fill the share of the paper; "
       "their "
       "sizes follow a Fuller curve, as the paper gives none. " +
-      counted(study.specimens, "specimen") + " took " + output::rounded(time.low, 2) + " to " +
+      counted(effort.specimens, "specimen") + " took " + output::rounded(time.low, 2) + " to " +
       output::rounded(time.high, 2) + " s each and have " + whole(count.low) + " to " + whole(count.high) +
       " aggregates.";
   return {
@@ -143,8 +143,11 @@ Section evaluate_generation(const Study& study, const Outcomes&) {
 }  // namespace
 
 Figure generation_figure() {
-  return {
-      {"1", "2"}, "The specimen", [](const Study&) { return std::vector<Trial>(); }, {}, evaluate_generation};
+  return {{"1", "2"},
+          "The specimen",
+          [](const Effort&) { return std::vector<Trial>(); },
+          {},
+          evaluate_generation};
 }
 
 }  // namespace app::reproduce

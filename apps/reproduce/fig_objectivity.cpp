@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/report/report_parts.hpp"
+#include "apps/report/run_charts.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/statistics/curve.hpp"
 #include "apps/statistics/statistics.hpp"
@@ -30,7 +31,7 @@ const std::vector<Law>& laws() {
   return both;
 }
 
-int fields_of(const Study& study) { return std::min(most_fields, study.specimens); }
+int fields_of(const Effort& effort) { return std::min(most_fields, effort.specimens); }
 
 /// Not a square_trial: the specimen is one, its fields and its pixels differ.
 Trial trial_of(const Law& law, double pixel_size, int field) {
@@ -40,11 +41,11 @@ Trial trial_of(const Law& law, double pixel_size, int field) {
   return trial;
 }
 
-std::vector<Trial> objectivity_trials(const Study& study) {
+std::vector<Trial> objectivity_trials(const Effort& effort) {
   std::vector<Trial> trials;
   for (const Law& law : laws())
-    for (const double size : study.pixel_sizes)
-      for (int field = 1; field <= fields_of(study); ++field) trials.push_back(trial_of(law, size, field));
+    for (const double size : effort.pixel_sizes)
+      for (int field = 1; field <= fields_of(effort); ++field) trials.push_back(trial_of(law, size, field));
   return trials;
 }
 
@@ -62,11 +63,11 @@ struct Convergence {
   }
 };
 
-Convergence convergence_of(const Law& law, const Study& study, const Outcomes& outcomes) {
-  Convergence convergence{law.name, study.pixel_sizes, {}, {}, {}};
-  for (const double size : study.pixel_sizes) {
+Convergence convergence_of(const Law& law, const Effort& effort, const TrialResults& outcomes) {
+  Convergence convergence{law.name, effort.pixel_sizes, {}, {}, {}};
+  for (const double size : effort.pixel_sizes) {
     std::vector<double> peaks, energies;
-    for (int field = 1; field <= fields_of(study); ++field) {
+    for (int field = 1; field <= fields_of(effort); ++field) {
       const mpm::Result& run = outcomes.of(trial_of(law, size, field)).result;
       peaks.push_back(run.peak_stress);
       energies.push_back(run.history.empty() ? 0 : run.history.back().released);
@@ -78,15 +79,12 @@ Convergence convergence_of(const Law& law, const Study& study, const Outcomes& o
   return convergence;
 }
 
-constexpr std::array inks{output::Ink::first, output::Ink::second, output::Ink::third, output::Ink::fourth,
-                          output::Ink::fifth};
-
 /// Means against the size of the pixels, finest first.
 output::Chart means_chart(const std::string& title, const output::Axis& axis, double unit,
                           const std::vector<Convergence>& all, std::vector<Spread> Convergence::*quantity) {
   output::Chart chart{title, {"Pixel size", "mm"}, axis, {}, {}};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    output::Series series{all[i].law, {}, {}, inks[i], false};
+    output::Series series{all[i].law, {}, {}, output::ink_of_series(i), false};
     for (std::size_t k = all[i].pixel_sizes.size(); k-- > 0;) {
       series.x.push_back(all[i].pixel_sizes[k]);
       series.y.push_back((all[i].*quantity)[k].mean / unit);
@@ -98,13 +96,9 @@ output::Chart means_chart(const std::string& title, const output::Axis& axis, do
 
 output::Chart curves_chart(const Convergence& convergence) {
   output::Chart chart{"Curves, " + convergence.law, {"Strain", "microstrain"}, {"Stress", "MPa"}, {}, {}};
-  for (std::size_t k = 0; k < convergence.pixel_sizes.size(); ++k) {
-    Curve curve = stress_curve(*convergence.first[k]);
-    for (double& strain : curve.x) strain *= 1e6;
-    for (double& stress : curve.y) stress *= 1e-6;
-    chart.series.push_back({fmt::format("{:g} mm", convergence.pixel_sizes[k]), std::move(curve.x),
-                            std::move(curve.y), inks[k % inks.size()], false});
-  }
+  for (std::size_t k = 0; k < convergence.pixel_sizes.size(); ++k)
+    chart.series.push_back(output::stress_series(fmt::format("{:g} mm", convergence.pixel_sizes[k]),
+                                                 output::ink_of_series(k), *convergence.first[k]));
   return chart;
 }
 
@@ -145,8 +139,8 @@ std::string verdict_text(const Convergence& band) {
          "aggregates.";
 }
 
-std::string text_of(const Study& study, const std::vector<Convergence>& all) {
-  return "One specimen, " + counted(fields_of(study), "field") +
+std::string text_of(const Effort& effort, const std::vector<Convergence>& all) {
+  return "One specimen, " + counted(fields_of(effort), "field") +
          " of strengths with a correlation length, drawn alike at every pixel size; energy is what all "
          "cracks "
          "have taken by the end of the run. From the second finest picture to the finest, " +
@@ -169,9 +163,9 @@ nlohmann::json json_of_all(const std::vector<Convergence>& all) {
   return json;
 }
 
-Section evaluate_objectivity(const Study& study, const Outcomes& outcomes) {
+Section evaluate_objectivity(const Effort& effort, const TrialResults& outcomes) {
   std::vector<Convergence> all;
-  for (const Law& law : laws()) all.push_back(convergence_of(law, study, outcomes));
+  for (const Law& law : laws()) all.push_back(convergence_of(law, effort, outcomes));
   const std::string means = output::side_by_side(
       "even",
       output::chart_figure(
@@ -180,7 +174,7 @@ Section evaluate_objectivity(const Study& study, const Outcomes& outcomes) {
       output::chart_figure(
           means_chart("Energy against pixel size", {"Energy", "J/m"}, 1, all, &Convergence::released), 480,
           300, "Mean energy of all cracks against the size of the pixels."));
-  return {output::paragraph(text_of(study, all)) + means +
+  return {output::paragraph(text_of(effort, all)) + means +
               output::side_by_side("even", half_html(all[0]), half_html(all[1])),
           json_of_all(all),
           {}};

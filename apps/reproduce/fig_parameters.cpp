@@ -157,34 +157,34 @@ Section section_of(const Sweep& sweep, const std::vector<CaseResult>& results, c
   return {output::paragraph(text) + sweep_html(sweep, results), sweep_json(results), std::move(claims)};
 }
 
-Section evaluate_modulus(const Study& study, const Outcomes& outcomes) {
+Section evaluate_modulus(const Effort& effort, const TrialResults& outcomes) {
   const Sweep sweep = modulus_sweep();
-  const auto results = results_of(sweep, study, outcomes);
+  const auto results = results_of(sweep, effort, outcomes);
   return section_of(sweep, results,
                     "Mortar and ITZ have the same m. Peaks: " + ends_text(sweep, results) + ".",
                     {rise_claim(sweep, results), brittle_claim(results)});
 }
 
-Section evaluate_strength(const Study& study, const Outcomes& outcomes) {
+Section evaluate_strength(const Effort& effort, const TrialResults& outcomes) {
   const Sweep sweep = strength_sweep();
-  const auto results = results_of(sweep, study, outcomes);
+  const auto results = results_of(sweep, effort, outcomes);
   return section_of(
       sweep, results,
       "f_t is that of the mortar; the ITZ keeps 0.6 of it. Peaks: " + ends_text(sweep, results) + ".",
       {strength_claim(sweep, results)});
 }
 
-Section evaluate_cohesion(const Study& study, const Outcomes& outcomes) {
+Section evaluate_cohesion(const Effort& effort, const TrialResults& outcomes) {
   const Sweep sweep = cohesion_sweep();
-  const auto results = results_of(sweep, study, outcomes);
+  const auto results = results_of(sweep, effort, outcomes);
   return section_of(sweep, results,
                     "c is that of the mortar; the ITZ keeps 0.6 of it. " + cohesion_text(results),
                     {cohesion_claim(sweep, results)});
 }
 
 template <Sweep (*sweep)()>
-std::vector<Trial> trials(const Study& study) {
-  return trials_of(sweep(), study);
+std::vector<Trial> trials(const Effort& effort) {
+  return trials_of(sweep(), effort);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/report/report_parts.hpp"
+#include "apps/report/run_charts.hpp"
 #include "apps/reproduce/crack_place.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/statistics/curve.hpp"
@@ -22,21 +23,21 @@ constexpr double itz_share = 0.6;  ///< strength of the ITZ over that of the mor
 constexpr int shown_fields = 2;    ///< whose damage is drawn
 
 /// One strength field.
-Trial trial_of(const Study& study, int seed, double scale) {
+Trial trial_of(const Effort& effort, int seed, double scale) {
   Trial trial{"two_aggregates", {{"damage.seed", std::to_string(seed)}}, true};
   if (scale > 0) {
     trial.settings.emplace_back("phases.mortar.tensile_scale", fmt::format("{:.2f} MPa", 1e-6 * scale));
     trial.settings.emplace_back("phases.itz.tensile_scale",
                                 fmt::format("{:.2f} MPa", 1e-6 * itz_share * scale));
   }
-  trial.settings.insert(trial.settings.end(), study.pair.begin(), study.pair.end());
+  trial.settings.insert(trial.settings.end(), effort.pair.begin(), effort.pair.end());
   return trial;
 }
 
 /// All fields; scale 0 = that of Table 1.
-std::vector<Trial> fields(const Study& study, double scale) {
+std::vector<Trial> fields(const Effort& effort, double scale) {
   std::vector<Trial> all;
-  for (int seed = 1; seed <= study.specimens; ++seed) all.push_back(trial_of(study, seed, scale));
+  for (int seed = 1; seed <= effort.specimens; ++seed) all.push_back(trial_of(effort, seed, scale));
   return all;
 }
 
@@ -45,10 +46,10 @@ struct Sample {
   std::string name;
   double scale = 0;  ///< f_t of the mortar [Pa]
   std::vector<double> stresses, strains;
-  std::vector<const Outcome*> outcomes;
+  std::vector<const TrialResult*> outcomes;
 };
 
-Sample sample_of(const std::string& name, const std::vector<Trial>& trials, const Outcomes& outcomes) {
+Sample sample_of(const std::string& name, const std::vector<Trial>& trials, const TrialResults& outcomes) {
   Sample sample{name, 0, {}, {}, {}};
   for (const mpm::Phase& phase : settings_of(trials.front()).phases)
     if (phase.name == "mortar") sample.scale = phase.tensile_scale;
@@ -66,10 +67,10 @@ double calibrated_scale(const Sample& table1) {
   return std::round(table1.scale * wanted / spread_of(table1.stresses).mean / 1e5) * 1e5;
 }
 
-std::vector<Trial> table1_trials(const Study& study) { return fields(study, 0); }
+std::vector<Trial> table1_trials(const Effort& effort) { return fields(effort, 0); }
 
-std::vector<Trial> calibrated_trials(const Study& study, const Outcomes& outcomes) {
-  return fields(study, calibrated_scale(sample_of("Table 1", table1_trials(study), outcomes)));
+std::vector<Trial> calibrated_trials(const Effort& effort, const TrialResults& outcomes) {
+  return fields(effort, calibrated_scale(sample_of("Table 1", table1_trials(effort), outcomes)));
 }
 
 /// Whether the mean peak lies where the paper's peaks lie.
@@ -97,7 +98,7 @@ Claim peak_claim(const Sample& table1, const Sample& calibrated) {
   } else if (in_band(calibrated)) {
     claim.verdict = Verdict::depends;
     claim.why = "The strengths of Table 1 do not give it; f_t = " + megapascals(calibrated.scale) +
-                " in the mortar does, with the ITZ at " + output::trimmed(itz_share) + " of it.";
+                " in the mortar does, with the ITZ at " + output::concise(itz_share) + " of it.";
   } else {
     claim.why = "Neither Table 1 nor strengths that were calibrated for the peak stress give it.";
   }
@@ -116,7 +117,7 @@ struct Crack {
 
 Crack cracks_of(const Sample& sample) {
   Crack crack;
-  for (const Outcome* outcome : sample.outcomes) {
+  for (const TrialResult* outcome : sample.outcomes) {
     const specimen::LabelledMask& mask = outcome->specimen.mask;
     bool all_top = true, all_bottom = true, all_above = true, all_below = true;
     for (const specimen::Inclusion& inclusion : outcome->specimen.inclusions) {
@@ -169,12 +170,9 @@ Claim crack_claim(const Crack& crack) {
 output::Chart chart_of(const Sample& sample) {
   output::Chart chart{"Curves of two aggregates", {"Strain", "microstrain"}, {"Stress", "MPa"}, {}, {}};
   for (std::size_t i = 0; i < sample.outcomes.size(); ++i) {
-    Curve curve = stress_curve(sample.outcomes[i]->result);
-    for (double& strain : curve.x) strain *= 1e6;
-    for (double& stress : curve.y) stress *= 1e-6;
     const std::string name = i == 0 ? "field 1" : i == 1 ? "the others" : "";
     chart.series.push_back(
-        {name, std::move(curve.x), std::move(curve.y), i == 0 ? Ink::first : Ink::axis, false});
+        output::stress_series(name, i == 0 ? Ink::first : Ink::axis, sample.outcomes[i]->result));
   }
   std::reverse(chart.series.begin(), chart.series.end());  // the first field on top
   return chart;
@@ -213,12 +211,12 @@ std::string definition(const Crack& crack) {
       "aggregate when the mean height of the failures in the band is within {} mm of it. Across the whole "
       "specimen "
       "one such band holds {} of them, as a mean over the fields.",
-      output::trimmed(1e3 * crack_band), output::trimmed(1e3 * crack_band), output::percent(crack.share, 0));
+      output::concise(1e3 * crack_band), output::concise(1e3 * crack_band), output::percent(crack.share, 0));
 }
 
-Section evaluate_two_aggregates(const Study& study, const Outcomes& outcomes) {
-  const Sample table1 = sample_of("Table 1", table1_trials(study), outcomes);
-  const Sample calibrated = sample_of("Calibrated", calibrated_trials(study, outcomes), outcomes);
+Section evaluate_two_aggregates(const Effort& effort, const TrialResults& outcomes) {
+  const Sample table1 = sample_of("Table 1", table1_trials(effort), outcomes);
+  const Sample calibrated = sample_of("Calibrated", calibrated_trials(effort, outcomes), outcomes);
   const Crack crack = cracks_of(calibrated);
   const std::string text = "With Table 1 the specimen bears " + peaks_text(table1) +
                            "; the paper's peaks are lower. As stresses go with "
@@ -227,7 +225,7 @@ Section evaluate_two_aggregates(const Study& study, const Outcomes& outcomes) {
                            "bears " +
                            peaks_text(calibrated) + ". The crack runs " + crack_text(crack) + ".";
   std::string pictures;
-  for (int field = 0; field < std::min(shown_fields, study.specimens); ++field)
+  for (int field = 0; field < std::min(shown_fields, effort.specimens); ++field)
     pictures += damage_pictures(*calibrated.outcomes[static_cast<std::size_t>(field)], {75, 100, 150},
                                 ", field " + std::to_string(field + 1));
   return {output::paragraph(text) +
@@ -236,8 +234,8 @@ Section evaluate_two_aggregates(const Study& study, const Outcomes& outcomes) {
               output::number_table({"Strengths", "Peak stress", "in band", "Peak strain", "in band", "Tops",
                                     "Bottoms", "Elsewhere"},
                                    {row_of(table1), row_of(calibrated)}) +
-              "<div class=\"remarks\">\n" + output::paragraph(definition(crack)) + "</div>\n" +
-              damage_legend(calibrated.outcomes.front()->specimen.mask) + gallery(pictures),
+              output::remarks(output::paragraph(definition(crack))) +
+              damage_legend(calibrated.outcomes.front()->specimen.mask) + output::pictures(pictures),
           {{"table_1", json_of(table1)}, {"calibrated", json_of(calibrated)}},
           {peak_claim(table1, calibrated), crack_claim(crack)}};
 }

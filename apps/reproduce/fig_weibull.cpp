@@ -45,8 +45,8 @@ Strengths strengths_of(const mpm::Scene& scene, std::uint8_t label) {
   return strengths;
 }
 
-std::vector<Strengths> measure(const Study& study) {
-  const mpm::Scene scene = make_job(settings_of(square_trial(study, "tension", 1))).scene;
+std::vector<Strengths> measure(const Effort& effort) {
+  const mpm::Scene scene = make_job(settings_of(square_trial(effort, "tension", 1))).scene;
   std::vector<Strengths> all;
   for (std::size_t label = 0; label < scene.phases.size(); ++label)
     if (scene.phases[label] && scene.phases[label]->can_crack())
@@ -128,8 +128,8 @@ std::vector<std::string> row_of(const Strengths& one) {
           output::rounded(one.critical, 2)};
 }
 
-Section evaluate_weibull(const Study& study, const Outcomes&) {
-  const std::vector<Strengths> all = measure(study);
+Section evaluate_weibull(const Effort& effort, const TrialResults&) {
+  const std::vector<Strengths> all = measure(effort);
   std::vector<std::vector<std::string>> rows;
   nlohmann::json data;
   for (const Strengths& one : all) {
@@ -146,7 +146,7 @@ Section evaluate_weibull(const Study& study, const Outcomes&) {
       "show the tensile strengths of the " +
       output::grouped(static_cast<std::int64_t>(shown.values.size())) + " points of " + shown.phase.name +
       " of one specimen, over the scale f_t of " + megapascals(shown.phase.tensile_scale) +
-      "; m = " + output::trimmed(shown.phase.weibull_modulus) + ".";
+      "; m = " + output::concise(shown.phase.weibull_modulus) + ".";
   return {
       output::paragraph(text) +
           output::side_by_side("even", output::chart_figure(density_chart(shown), 480, 330, "Density"),
@@ -160,7 +160,8 @@ Section evaluate_weibull(const Study& study, const Outcomes&) {
 }  // namespace
 
 Figure weibull_figure() {
-  return {{"3"}, "Random strengths", [](const Study&) { return std::vector<Trial>(); }, {}, evaluate_weibull};
+  return {
+      {"3"}, "Random strengths", [](const Effort&) { return std::vector<Trial>(); }, {}, evaluate_weibull};
 }
 
 }  // namespace app::reproduce

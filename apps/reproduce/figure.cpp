@@ -13,15 +13,8 @@
 namespace app::reproduce {
 
 std::string word_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::agrees:
-      return "agrees";
-    case Verdict::disagrees:
-      return "disagrees";
-    case Verdict::depends:
-      return "depends";
-  }
-  return {};
+  using enum Verdict;
+  return word_in({{agrees, "agrees"}, {disagrees, "disagrees"}, {depends, "depends"}}, verdict);
 }
 
 Verdict verdict_of(const std::vector<bool>& holds) {
@@ -35,11 +28,11 @@ Verdict verdict_of_share(double share) {
   return share > 0.2 ? Verdict::depends : Verdict::disagrees;
 }
 
-Trial square_trial(const Study& study, const std::string& scene, int seed,
+Trial square_trial(const Effort& effort, const std::string& scene, int seed,
                    const std::vector<Setting>& settings, bool keep_maps) {
   const std::string number = std::to_string(seed);
   Trial trial{scene, {{"generate.seed", number}, {"damage.seed", number}}, keep_maps};
-  for (const auto* more : {&settings, &study.square})
+  for (const auto* more : {&settings, &effort.square})
     trial.settings.insert(trial.settings.end(), more->begin(), more->end());
   return trial;
 }
@@ -71,17 +64,10 @@ nlohmann::json json_of(const Spread& spread) {
 }
 
 std::string damage_legend(const specimen::LabelledMask& mask) {
-  const output::Palette palette = output::colour_palette();
-  std::string html =
-      output::swatch(palette.tension, "failed in tension") + output::swatch(palette.shear, "failed in shear");
-  const auto& labels = mask.labels.data;
-  for (std::size_t label = 0; label < mask.phases.size(); ++label)
-    if (std::find(labels.begin(), labels.end(), static_cast<std::uint8_t>(label)) != labels.end())
-      html += output::swatch(palette.phases[label], output::phase_word(mask.phases[label]));
-  return "<p class=\"legend\">\n" + html + "</p>\n";
+  return output::legend("", output::damage_entries(mask, output::colour_palette()));
 }
 
-std::string damage_pictures(const Outcome& outcome, const std::vector<int>& percents,
+std::string damage_pictures(const TrialResult& outcome, const std::vector<int>& percents,
                             const std::string& caption) {
   std::string html;
   for (const output::DamageStage& stage : output::damage_stages(outcome.result).drawn) {
@@ -98,10 +84,6 @@ std::string damage_pictures(const Outcome& outcome, const std::vector<int>& perc
             output::grouped(stage.shear));
   }
   return html;
-}
-
-std::string gallery(const std::string& pictures_html) {
-  return "<div class=\"pictures\">\n" + pictures_html + "</div>\n";
 }
 
 }  // namespace app::reproduce

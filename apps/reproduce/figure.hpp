@@ -35,7 +35,7 @@ struct Claim {
 [[nodiscard]] Verdict verdict_of_share(double share);
 
 /// How much is run.
-struct Study {
+struct Effort {
   int specimens = 20;  ///< random specimens of figure 5, and strength fields of figures 8 to 11, >= 1
   int repeats = 3;     ///< random specimens per point of figures 12 to 14, >= 1
   std::vector<Setting> square;  ///< added to every run of the random specimen, e.g. to make it small
@@ -55,15 +55,15 @@ struct Section {
 struct Figure {
   std::vector<std::string> ids;  ///< as a user names them: "8", "9", ...
   std::string title;
-  std::function<std::vector<Trial>(const Study&)> trials;
+  std::function<std::vector<Trial>(const Effort&)> trials;
   /// Runs that depend on what the first ones gave; may be empty.
-  std::function<std::vector<Trial>(const Study&, const Outcomes&)> more_trials;
+  std::function<std::vector<Trial>(const Effort&, const TrialResults&)> more_trials;
   /// @pre all trials are done.
-  std::function<Section(const Study&, const Outcomes&)> evaluate;
+  std::function<Section(const Effort&, const TrialResults&)> evaluate;
 };
 
 /// A run of the random specimen: packing and strengths of a seed.
-[[nodiscard]] Trial square_trial(const Study& study, const std::string& scene, int seed,
+[[nodiscard]] Trial square_trial(const Effort& effort, const std::string& scene, int seed,
                                  const std::vector<Setting>& settings = {}, bool keep_maps = false);
 
 [[nodiscard]] Figure generation_figure();      ///< 1, 2
@@ -94,10 +94,7 @@ struct Figure {
 
 /// Damage at shares of the strain at the peak [%]; one that the run did not reach is left out.
 /// @pre the maps of the outcome are kept.
-[[nodiscard]] std::string damage_pictures(const Outcome& outcome, const std::vector<int>& percents,
+[[nodiscard]] std::string damage_pictures(const TrialResult& outcome, const std::vector<int>& percents,
                                           const std::string& caption = "");
-
-/// Pictures beside each other.
-[[nodiscard]] std::string gallery(const std::string& pictures_html);
 
 }  // namespace app::reproduce

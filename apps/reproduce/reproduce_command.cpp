@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 
 #include "apps/reproduce/figure.hpp"
@@ -22,30 +21,11 @@ constexpr const char* reproduce_footer =
     "Example: the figures on the random specimen's curves and on the Weibull modulus\n"
     "  mesopix reproduce --figure 5 --figure 12 -o runs/paper";
 
-/// One line on the terminal that tells how far the runs are.
-class CampaignLine {
- public:
-  explicit CampaignLine(Console& console)
-      : console_(console), enabled_(console.err_is_terminal && !console.quiet) {}
-  ~CampaignLine() {
-    if (enabled_) console_.err << wipe << std::flush;
-  }
-  CampaignLine(const CampaignLine&) = delete;
-  CampaignLine& operator=(const CampaignLine&) = delete;
-
-  void show(std::size_t done, std::size_t all) const {
-    if (!enabled_) return;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    const double left = elapsed.count() * static_cast<double>(all - done) / static_cast<double>(done);
-    console_.err << fmt::format("{}{} of {} runs   {:.0f} s left", wipe, done, all, left) << std::flush;
-  }
-
- private:
-  static constexpr const char* wipe = "\r\x1b[K";
-  Console& console_;
-  bool enabled_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+/// How far the runs are.
+std::string progress_text(std::size_t done, std::size_t all, double elapsed) {
+  const double left = elapsed * static_cast<double>(all - done) / static_cast<double>(done);
+  return fmt::format("{} of {} runs   {:.0f} s left", done, all, left);
+}
 
 void write(const fs::path& folder, const reproduce::Reproduction& reproduction) {
   mpm::replace_file((folder / "report.html").string(), reproduce::report_html(reproduction));
@@ -64,44 +44,51 @@ void say_verdicts(const reproduce::Reproduction& reproduction, Console& console)
     console.say(reproduce::counted(static_cast<int>(claims.size()), "claim") + ": " + verdict_counts(claims));
 }
 
+class ReproduceCommand : public Command {
+ public:
+  explicit ReproduceCommand(CLI::App& program)
+      : Command(program, "reproduce", "Repeat the figures of the paper, and judge its claims",
+                reproduce_footer) {
+    option("--figure", figures_, "figure of the paper, e.g. 12; may be given again [all]",
+           WholeNumberCodec().form());
+    flag("--all", all_, "all figures");
+    folder_and_overwrite("runs/reproduce, runs/reproduce-2, ...");
+    option("-j,--jobs", jobs_, "runs at a time [one a core]", WholeNumberCodec().form())
+        ->check(CLI::Range(1, 1024));
+    json_and_quiet("reproduction.json on standard output too");
+  }
+
+  Exit run(Console& console) override {
+    if (all_ && !figures_.empty())
+      throw Rejected(Exit::usage, "--all", "given with --figure", "", "give one of the two");
+    const auto figures = reproduce::select_figures(figures_);
+    const fs::path folder = make_run_folder(output_, "reproduce", overwrite_);
+    const int workers = jobs_ > 0 ? jobs_ : core_count();
+    const InterruptGuard guard;
+    const auto reproduction = [&] {
+      TerminalLine line(console);
+      return reproduce::reproduce_figures(
+          figures, reproduce::Effort(), workers,
+          {[&](std::size_t done, std::size_t all) { line.show(progress_text(done, all, line.elapsed())); },
+           [&] { return !guard.interrupted(); }});
+    }();
+    write(folder, reproduction);
+    if (json_) console.out << json_text(reproduce::report_json(reproduction));
+    say_verdicts(reproduction, console);
+    console.say("wrote " + folder.string());
+    if (!reproduction.interrupted) return Exit::ok;
+    console.say("interrupted; what was computed is kept");
+    return Exit::interrupted;
+  }
+
+ private:
+  std::vector<std::string> figures_;
+  int jobs_ = 0;  ///< 0 = as many as there are cores
+  bool all_ = false;
+};
+
 }  // namespace
 
-ReproduceCommand::ReproduceCommand(CLI::App& program)
-    : Command(program, "reproduce", "Repeat the figures of the paper, and judge its claims",
-              reproduce_footer) {
-  options().value("--figure", figures_, "figure of the paper, e.g. 12; may be given again [all]",
-                  WholeNumberCodec().form());
-  options().add_flag("--all", all_, "all figures");
-  options().value("-o,--output", output_, "folder [runs/reproduce, runs/reproduce-2, ...]", folder_form());
-  options()
-      .value("-j,--jobs", jobs_, "runs at a time [one a core]", WholeNumberCodec().form())
-      ->check(CLI::Range(1, 1024));
-  options().add_flag("--overwrite", overwrite_, "write into a folder that is not empty");
-  options().add_flag("--json", json_, "reproduction.json on standard output too");
-  options().add_flag("-q,--quiet", quiet_, "say nothing but errors");
-}
-
-Exit ReproduceCommand::run(Console& console) {
-  console.quiet = quiet_;
-  if (all_ && !figures_.empty())
-    throw Rejected(Exit::usage, complaint("--all", "given with --figure", "", "give one of the two"));
-  const auto figures = reproduce::select_figures(figures_);
-  const fs::path folder = make_run_folder(output_, "reproduce", overwrite_);
-  const int workers = jobs_ > 0 ? jobs_ : core_count();
-  const InterruptGuard guard;
-  const auto reproduction = [&] {
-    const CampaignLine line(console);
-    return reproduce::reproduce_figures(figures, reproduce::Study(), workers,
-                                        {[&](std::size_t done, std::size_t all) { line.show(done, all); },
-                                         [&] { return !guard.interrupted(); }});
-  }();
-  write(folder, reproduction);
-  if (json_) console.out << json_text(reproduce::report_json(reproduction));
-  say_verdicts(reproduction, console);
-  console.say("wrote " + folder.string());
-  if (!reproduction.interrupted) return Exit::ok;
-  console.say("interrupted; what was computed is kept");
-  return Exit::interrupted;
-}
+CommandPointer reproduce_command(CLI::App& parent) { return std::make_unique<ReproduceCommand>(parent); }
 
 }  // namespace app

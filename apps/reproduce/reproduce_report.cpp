@@ -20,17 +20,16 @@ using output::escape;
 constexpr const char* title = "The paper of Liu et al. (2020), reproduced";
 
 std::string header() {
-  return fmt::format(
-      "<header>\n<h1>{}</h1>\n<p class=\"setting\">Numerical Simulation of Mesodamage Behavior of Concrete "
-      "Based on "
-      "Material Point Method, Advances in Civil Engineering. By mesopix {}.</p>\n</header>\n",
-      title, escape(version()));
+  return output::heading(
+      title, fmt::format("Numerical Simulation of Mesodamage Behavior of Concrete Based on Material "
+                         "Point Method, Advances in Civil Engineering. By mesopix {}.",
+                         version()));
 }
 
 std::string how_it_was_run(const Reproduction& reproduction) {
   std::int64_t steps = 0;
   int runs = 0;
-  for (const Outcomes::Entry& entry : reproduction.outcomes.entries()) {
+  for (const TrialResults::Entry& entry : reproduction.outcomes.entries()) {
     if (!entry.outcome.done) continue;
     ++runs;
     steps += entry.outcome.result.steps;
@@ -53,12 +52,9 @@ std::string claim_row(const Claim& claim) {
 }
 
 std::string claims_table(const std::vector<Claim>& claims) {
-  std::string html =
-      "<div class=\"scroll\">\n<table class=\"claims\">\n<thead><tr><th scope=\"col\">Figure</th>"
-      "<th scope=\"col\">The paper says</th><th scope=\"col\">We find</th><th scope=\"col\">Verdict</th>"
-      "</tr></thead>\n<tbody>\n";
-  for (const Claim& claim : claims) html += claim_row(claim);
-  return html + "</tbody>\n</table>\n</div>\n";
+  std::string rows;
+  for (const Claim& claim : claims) rows += claim_row(claim);
+  return output::table("claims", {"Figure", "The paper says", "We find", "Verdict"}, rows);
 }
 
 std::string missing_text(const Reproduction& reproduction) {
@@ -67,7 +63,7 @@ std::string missing_text(const Reproduction& reproduction) {
     if (!result.done) names.push_back(name_of(*result.figure));
   return names.empty()
              ? ""
-             : "It was interrupted before the runs of these were done: " + output::listed(names) + ".";
+             : "It was interrupted before the runs of these were done: " + listed(names, "and") + ".";
 }
 
 std::string claims_section(const Reproduction& reproduction) {
@@ -79,29 +75,27 @@ std::string claims_section(const Reproduction& reproduction) {
     html += output::paragraph("Of " + counted(static_cast<int>(claims.size()), "claim") + " of the paper " +
                               verdict_counts(claims) + ".") +
             claims_table(claims);
-  return output::section(
-      claims.empty() ? "How it was run" : "Claims",
-      html + "<div class=\"remarks\">\n" + output::paragraph(how_it_was_run(reproduction)) + "</div>\n");
+  return output::section(claims.empty() ? "How it was run" : "Claims",
+                         html + output::remarks(output::paragraph(how_it_was_run(reproduction))));
 }
 
 std::string bears_on(const std::vector<Claim>& claims) {
   std::vector<std::string> parts;
   for (const Claim& claim : claims)
     parts.push_back(fmt::format("“{}” ({})", claim.paper, word_of(claim.verdict)));
-  return parts.empty() ? "" : "Bears on: " + output::listed(parts) + ".";
+  return parts.empty() ? "" : "Bears on: " + listed(parts, "and") + ".";
 }
 
 std::string figure_section(const FigureResult& result) {
   if (!result.done) return "";
   const std::string claims = bears_on(result.section.claims);
-  return output::section(
-      name_of(*result.figure) + ". " + result.figure->title,
-      result.section.html + "<div class=\"remarks\">\n" + output::paragraph(claims) + "</div>\n");
+  return output::section(name_of(*result.figure) + ". " + result.figure->title,
+                         result.section.html + output::remarks(output::paragraph(claims)));
 }
 
 std::string runs_section(const Reproduction& reproduction) {
   std::string commands;
-  for (const Outcomes::Entry& entry : reproduction.outcomes.entries())
+  for (const TrialResults::Entry& entry : reproduction.outcomes.entries())
     if (entry.outcome.done)
       commands += fmt::format("{}    # {}, {}\n", command_of(entry.trial),
                               megapascals(entry.outcome.result.peak_stress),
@@ -127,7 +121,7 @@ nlohmann::json json_of(const FigureResult& result) {
   return json;
 }
 
-nlohmann::json json_of(const Outcomes::Entry& entry) {
+nlohmann::json json_of(const TrialResults::Entry& entry) {
   const mpm::Result& result = entry.outcome.result;
   return {{"command", command_of(entry.trial)},
           {"peak_stress_Pa", result.peak_stress},
@@ -155,7 +149,7 @@ std::string verdict_counts(const std::vector<Claim>& claims) {
                                      [&](const Claim& claim) { return claim.verdict == it.verdict; });
     if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? it.one : it.many));
   }
-  return output::listed(parts);
+  return listed(parts, "and");
 }
 
 std::string report_html(const Reproduction& reproduction) {
@@ -167,15 +161,15 @@ std::string report_html(const Reproduction& reproduction) {
 nlohmann::json report_json(const Reproduction& reproduction) {
   nlohmann::json json{{"version", version()},
                       {"interrupted", reproduction.interrupted},
-                      {"specimens", reproduction.study.specimens},
-                      {"repeats", reproduction.study.repeats},
+                      {"specimens", reproduction.effort.specimens},
+                      {"repeats", reproduction.effort.repeats},
                       {"wall_time_s", reproduction.wall_time},
                       {"claims", nlohmann::json::array()},
                       {"figures", nlohmann::json::array()},
                       {"runs", nlohmann::json::array()}};
   for (const Claim& claim : claims_of(reproduction)) json["claims"].push_back(json_of(claim));
   for (const FigureResult& result : reproduction.figures) json["figures"].push_back(json_of(result));
-  for (const Outcomes::Entry& entry : reproduction.outcomes.entries())
+  for (const TrialResults::Entry& entry : reproduction.outcomes.entries())
     if (entry.outcome.done) json["runs"].push_back(json_of(entry));
   return json;
 }

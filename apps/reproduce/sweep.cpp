@@ -6,6 +6,7 @@
 #include "apps/text/words.hpp"
 
 #include "apps/report/report_parts.hpp"
+#include "apps/report/run_charts.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "apps/statistics/curve.hpp"
@@ -17,15 +18,15 @@ namespace {
 constexpr double dropped = 0.5;             ///< share of the peak
 constexpr double itz_strength_share = 0.6;  ///< strength of the ITZ over that of the mortar, Table 1
 
-int repeats_of(const Case& test, const Study& study) {
-  return test.repeats > 0 ? test.repeats : study.repeats;
+int repeats_of(const Case& test, const Effort& effort) {
+  return test.repeats > 0 ? test.repeats : effort.repeats;
 }
 
-Trial trial_of(const Sweep& sweep, const Case& test, const Study& study, double value, int seed) {
+Trial trial_of(const Sweep& sweep, const Case& test, const Effort& effort, double value, int seed) {
   std::vector<Setting> settings = test.settings;
   if (value != sweep.table1)  // else it is the scene as it stands, which other figures run too
     for (const Setting& setting : sweep.settings(value)) settings.push_back(setting);
-  return square_trial(study, test.scene, seed, settings);
+  return square_trial(effort, test.scene, seed, settings);
 }
 
 double shear_share(const mpm::Result& result) {
@@ -33,12 +34,13 @@ double shear_share(const mpm::Result& result) {
   return static_cast<double>(result.shear_failures) / all;
 }
 
-CaseResult result_of(const Sweep& sweep, const Case& test, const Study& study, const Outcomes& outcomes) {
-  CaseResult result{test.name, repeats_of(test, study), sweep.values, {}, {}, {}, {}, {}};
+CaseResult result_of(const Sweep& sweep, const Case& test, const Effort& effort,
+                     const TrialResults& outcomes) {
+  CaseResult result{test.name, repeats_of(test, effort), sweep.values, {}, {}, {}, {}, {}};
   for (const double value : sweep.values) {
     std::vector<double> stresses, strains, drops, shears;
     for (int seed = 1; seed <= result.specimens; ++seed) {
-      const mpm::Result& run = outcomes.of(trial_of(sweep, test, study, value, seed)).result;
+      const mpm::Result& run = outcomes.of(trial_of(sweep, test, effort, value, seed)).result;
       stresses.push_back(run.peak_stress);
       strains.push_back(run.peak_strain);
       drops.push_back(drop_ratio(run, dropped));
@@ -54,20 +56,14 @@ CaseResult result_of(const Sweep& sweep, const Case& test, const Study& study, c
 }
 
 std::string value_text(const Sweep& sweep, double value) {
-  return sweep.symbol + " = " + output::trimmed(value) + (sweep.unit.empty() ? "" : " " + sweep.unit);
+  return sweep.symbol + " = " + output::concise(value) + (sweep.unit.empty() ? "" : " " + sweep.unit);
 }
 
 output::Chart chart_of(const Sweep& sweep, const CaseResult& result) {
   output::Chart chart{"Curves in " + result.name, {"Strain", "microstrain"}, {"Stress", "MPa"}, {}, {}};
-  constexpr std::array inks{output::Ink::first, output::Ink::second, output::Ink::third, output::Ink::fourth,
-                            output::Ink::fifth};
-  for (std::size_t i = 0; i < result.values.size(); ++i) {
-    Curve curve = stress_curve(*result.first[i]);
-    for (double& strain : curve.x) strain *= 1e6;
-    for (double& stress : curve.y) stress *= 1e-6;
-    chart.series.push_back({value_text(sweep, result.values[i]), std::move(curve.x), std::move(curve.y),
-                            inks[i % inks.size()], false});
-  }
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    chart.series.push_back(output::stress_series(value_text(sweep, result.values[i]),
+                                                 output::ink_of_series(i), *result.first[i]));
   return chart;
 }
 
@@ -96,32 +92,28 @@ std::vector<double> CaseResult::mean_stress() const {
   return means;
 }
 
-std::vector<Trial> trials_of(const Sweep& sweep, const Study& study) {
+std::vector<Trial> trials_of(const Sweep& sweep, const Effort& effort) {
   std::vector<Trial> trials;
   for (const Case& test : sweep.cases)
     for (const double value : sweep.values)
-      for (int seed = 1; seed <= repeats_of(test, study); ++seed)
-        trials.push_back(trial_of(sweep, test, study, value, seed));
+      for (int seed = 1; seed <= repeats_of(test, effort); ++seed)
+        trials.push_back(trial_of(sweep, test, effort, value, seed));
   return trials;
 }
 
-std::vector<CaseResult> results_of(const Sweep& sweep, const Study& study, const Outcomes& outcomes) {
+std::vector<CaseResult> results_of(const Sweep& sweep, const Effort& effort, const TrialResults& outcomes) {
   std::vector<CaseResult> results;
-  for (const Case& test : sweep.cases) results.push_back(result_of(sweep, test, study, outcomes));
+  for (const Case& test : sweep.cases) results.push_back(result_of(sweep, test, effort, outcomes));
   return results;
 }
 
 std::string sweep_html(const Sweep& sweep, const std::vector<CaseResult>& results) {
-  std::string html;
-  for (std::size_t i = 0; i < results.size(); i += 2)
-    html += i + 1 < results.size()
-                ? output::side_by_side("even", case_html(sweep, results[i]), case_html(sweep, results[i + 1]))
-                : case_html(sweep, results[i]);
-  return html + "<div class=\"remarks\">\n" +
-         output::paragraph(
+  std::vector<std::string> cases;
+  for (const CaseResult& result : results) cases.push_back(case_html(sweep, result));
+  return output::in_pairs(cases) +
+         output::remarks(output::paragraph(
              "Drop: strain at which the stress has fallen to half its peak, over the strain at the peak; "
-             "the nearer to 1, the more brittle. Shear: share of all failures up to the end of the run.") +
-         "</div>\n";
+             "the nearer to 1, the more brittle. Shear: share of all failures up to the end of the run."));
 }
 
 nlohmann::json sweep_json(const std::vector<CaseResult>& results) {
@@ -147,14 +139,14 @@ std::string ends_text(const Sweep& sweep, const std::vector<CaseResult>& results
             output::rounded(1e-6 * result.peak_stress.front().mean) + " to " +
             megapascals(result.peak_stress.back().mean);
   return text + " for " + value_text(sweep, sweep.values.front()) + " to " +
-         output::trimmed(sweep.values.back()) + (sweep.unit.empty() ? "" : " " + sweep.unit);
+         output::concise(sweep.values.back()) + (sweep.unit.empty() ? "" : " " + sweep.unit);
 }
 
 std::string names_where(const std::vector<CaseResult>& results, const std::vector<bool>& holds, bool wanted) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < results.size(); ++i)
     if (holds[i] == wanted) names.push_back(results[i].name);
-  return names.empty() ? "none" : output::listed(names);
+  return names.empty() ? "none" : listed(names, "and");
 }
 
 std::vector<Setting> strength_settings(const std::string& property, double mortar_megapascals) {

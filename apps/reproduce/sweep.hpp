@@ -15,7 +15,7 @@ struct Case {
   std::string name;   ///< "tension"
   std::string scene;  ///< of data/paper
   std::vector<Setting> settings;
-  int repeats = 0;  ///< random specimens a value; 0 = as many as the study says
+  int repeats = 0;  ///< random specimens a value; 0 = as many as the effort says
 };
 
 struct Sweep {
@@ -41,9 +41,9 @@ struct CaseResult {
   [[nodiscard]] std::vector<double> mean_stress() const;
 };
 
-[[nodiscard]] std::vector<Trial> trials_of(const Sweep& sweep, const Study& study);
-[[nodiscard]] std::vector<CaseResult> results_of(const Sweep& sweep, const Study& study,
-                                                 const Outcomes& outcomes);
+[[nodiscard]] std::vector<Trial> trials_of(const Sweep& sweep, const Effort& effort);
+[[nodiscard]] std::vector<CaseResult> results_of(const Sweep& sweep, const Effort& effort,
+                                                 const TrialResults& outcomes);
 
 /// Charts, two beside each other, and a table for each case.
 [[nodiscard]] std::string sweep_html(const Sweep& sweep, const std::vector<CaseResult>& results);

@@ -2,6 +2,7 @@
 
 #include "apps/job/job.hpp"
 #include "apps/scene/scene_file.hpp"
+#include "apps/statistics/curve.hpp"
 #include "apps/text/complaint.hpp"
 #include "libmpm/run/simulate.hpp"
 
@@ -17,15 +18,6 @@ std::vector<Setting> lasting(const std::vector<Setting>& settings) {
     lasting.push_back(setting);
   }
   return lasting;
-}
-
-void drop_maps(Outcome& outcome) {
-  outcome.specimen = {};
-  outcome.result.failure_strain.resize(0, 0);
-  outcome.result.failure_mode.resize(0, 0);
-  outcome.result.crush_strain.resize(0, 0);
-  outcome.result.extra_failure_strain = {};
-  outcome.result.extra_failure_mode = {};
 }
 
 }  // namespace
@@ -51,28 +43,30 @@ Settings settings_of(const Trial& trial) {
   std::vector<Assignment> given;
   for (const auto& [key, value] : lasting(trial.settings)) {
     const auto field = find_field(key);
-    if (!field) throw Rejected(Exit::internal, complaint(key, "unknown key", "", "in " + name_of(trial)));
+    if (!field) throw Rejected(Exit::internal, key, "unknown key", "", "in " + name_of(trial));
     given.push_back(given_as_option(key, field->form.kind, "--set " + key, value));
   }
   return resolve(parse_scene(paper_scene(trial.scene).text, path_of_scene(trial.scene)), given).settings;
 }
 
-Outcome run_trial(const Trial& trial, const std::function<bool()>& go_on) {
+TrialResult run_trial(const Trial& trial, const std::function<bool()>& go_on) {
   Job job = make_job(settings_of(trial));
   job.scene.threads = 1;  // other trials have the other cores
-  Outcome outcome;
+  TrialResult outcome;
   outcome.specimen = std::move(job.specimen);
   try {
     outcome.result = mpm::simulate(job.scene, {.observer = [&](const mpm::Progress&) { return go_on(); }});
   } catch (const mpm::Diverged& diverged) {
-    throw Rejected(Exit::data, complaint("reproduce", diverged.what(), "in " + command_of(trial)));
+    throw Rejected(Exit::data, "reproduce", diverged.what(), "in " + command_of(trial));
   }
   outcome.done = outcome.result.stop != mpm::StopReason::interrupted;
-  if (!trial.keep_maps) drop_maps(outcome);
+  if (trial.keep_maps) return outcome;
+  outcome.specimen = {};
+  drop_maps(outcome.result);
   return outcome;
 }
 
-void Outcomes::expect(const Trial& trial) {
+void TrialResults::expect(const Trial& trial) {
   const auto [place, is_new] = index_.try_emplace(name_of(trial), entries_.size());
   if (is_new)
     entries_.push_back({trial, {}});
@@ -80,7 +74,7 @@ void Outcomes::expect(const Trial& trial) {
     entries_[place->second] = {trial, {}};
 }
 
-bool Outcomes::has(const Trial& trial) const {
+bool TrialResults::has(const Trial& trial) const {
   const auto place = index_.find(name_of(trial));
   return place != index_.end() && entries_[place->second].outcome.done;
 }

@@ -46,7 +46,7 @@ struct Trial {
 /// @throws Rejected for a setting that the schema refuses.
 [[nodiscard]] Settings settings_of(const Trial& trial);
 
-struct Outcome {
+struct TrialResult {
   bool done = false;            ///< false: it was interrupted, or never begun
   mpm::Result result;           ///< its maps are empty unless they are kept
   specimen::Specimen specimen;  ///< empty unless the maps are kept
@@ -55,24 +55,24 @@ struct Outcome {
 /// Break the specimen of a trial on one thread.
 /// @param go_on  the run is given up once it says no.   @throws Rejected, naming the trial, when the physics
 /// went wrong; the exceptions of the libraries.
-[[nodiscard]] Outcome run_trial(const Trial& trial, const std::function<bool()>& go_on);
+[[nodiscard]] TrialResult run_trial(const Trial& trial, const std::function<bool()>& go_on);
 
 /// What the trials ended with, in the order in which they were first asked for.
-class Outcomes {
+class TrialResults {
  public:
   struct Entry {
     Trial trial;
-    Outcome outcome;
+    TrialResult outcome;
   };
 
   /// Makes room for a trial; asks for its maps too where one of the trials of this name does.
   void expect(const Trial& trial);
 
   /// @pre the trial is expected.
-  [[nodiscard]] const Outcome& of(const Trial& trial) const {
+  [[nodiscard]] const TrialResult& of(const Trial& trial) const {
     return entries_[index_.at(name_of(trial))].outcome;
   }
-  [[nodiscard]] Outcome& of(const Trial& trial) { return entries_[index_.at(name_of(trial))].outcome; }
+  [[nodiscard]] TrialResult& of(const Trial& trial) { return entries_[index_.at(name_of(trial))].outcome; }
   [[nodiscard]] bool has(const Trial& trial) const;  ///< it was run to its end
 
   [[nodiscard]] std::vector<Entry>& entries() { return entries_; }

@@ -54,13 +54,13 @@ mpm::Scene in_other_precision(mpm::Scene scene) {
 }
 
 std::string velocity_text(const mpm::Scene& scene) {
-  return output::trimmed(scene.loading.velocity, 4) + " m/s";
+  return output::concise(scene.loading.velocity, 4) + " m/s";
 }
-std::string cfl_text(const mpm::Scene& scene) { return "CFL " + output::trimmed(scene.cfl, 4); }
+std::string cfl_text(const mpm::Scene& scene) { return "CFL " + output::concise(scene.cfl, 4); }
 std::string precision_text(const mpm::Scene& scene) {
   return scene.precision == mpm::Precision::single ? "single" : "double";
 }
-std::string pixel_text(const mpm::Scene& scene) { return output::trimmed(1e3 * scene.pixel_size, 4) + " mm"; }
+std::string pixel_text(const mpm::Scene& scene) { return output::concise(1e3 * scene.pixel_size, 4) + " mm"; }
 
 /// The label that most of four pixels have.
 std::uint8_t majority(const std::array<std::uint8_t, 4>& labels) {
@@ -210,7 +210,7 @@ ErrorSource rate_error(const mpm::Scene& scene, const mpm::Result& base, const S
   const mpm::Result half = solve(slow), quarter = solve(slowest);
   ErrorSource source =
       rate_source(base, base, half, quarter,
-                  output::trimmed(slow.loading.velocity, 4) + ", " + velocity_text(slowest), quarter);
+                  output::concise(slow.loading.velocity, 4) + ", " + velocity_text(slowest), quarter);
   source.wall_time += half.wall_time;
   return source;
 }

@@ -21,8 +21,7 @@ fs::path first_free(const fs::path& base) {
   // Only the run that makes a folder owns it, so that two runs at once do not share one.
   for (int number = 2; !fs::create_directory(folder, error); ++number) {
     if (error)
-      throw Rejected(Exit::io,
-                     complaint(folder.string(), error.message(), "must be a folder that can be made"));
+      throw Rejected(Exit::io, folder.string(), error.message(), "must be a folder that can be made");
     folder = base.string() + "-" + std::to_string(number);
   }
   return folder;
@@ -33,9 +32,7 @@ fs::path first_free(const fs::path& base) {
 void make_folders(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
-    throw Rejected(Exit::io,
-                   complaint(folder.string(), error.message(), "must be a folder that can be made"));
+  if (error) throw Rejected(Exit::io, folder.string(), error.message(), "must be a folder that can be made");
 }
 
 fs::path make_run_folder(const fs::path& wanted, const fs::path& stem, bool overwrite) {
@@ -44,22 +41,21 @@ fs::path make_run_folder(const fs::path& wanted, const fs::path& stem, bool over
   std::error_code error;
   const bool taken = fs::exists(folder, error) && !(fs::is_directory(folder) && fs::is_empty(folder));
   if (taken && !fs::is_directory(folder))
-    throw Rejected(Exit::usage,
-                   complaint("-o", folder.string(), "is a file; must be a folder", "choose another name"));
+    throw Rejected(Exit::usage, "-o", folder.string(), "is a file; must be a folder", "choose another name");
   if (taken && !overwrite)
-    throw Rejected(Exit::usage, complaint("-o", folder.string(), "is not empty",
-                                          "choose another folder, or add " + option_name("overwrite")));
+    throw Rejected(Exit::usage, "-o", folder.string(), "is not empty",
+                   "choose another folder, or add " + option_name("overwrite"));
   make_folders(folder);
   return folder;
 }
 
 RunRecord ReadRun::record() const {
-  return {specimen, scene, result, scene_toml, specimen::sha256_of_text(scene_toml), settings.title, {}};
+  return {{specimen, scene, scene_toml, specimen::sha256_of_text(scene_toml), settings.title, {}}, result};
 }
 
 ReadRun read_run(const std::string& folder) {
   if (kind_of_input(folder) != InputKind::folder)
-    throw Rejected(Exit::usage, complaint("RUN", folder, "must be the folder of a run"));
+    throw Rejected(Exit::usage, "RUN", folder, "must be the folder of a run");
   const auto file = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
   ReadRun run;
   run.result = read_result(file("result.h5"));
@@ -71,8 +67,8 @@ ReadRun read_run(const std::string& folder) {
       run.result.failure_strain.size() == 0 || (run.result.failure_strain.rows() == run.scene.labels.rows() &&
                                                 run.result.failure_strain.cols() == run.scene.labels.cols());
   if (!fits)
-    throw Rejected(Exit::data, complaint(folder, "specimen.h5 and result.h5 have other shapes", "",
-                                         "take the folder as one run has written it"));
+    throw Rejected(Exit::data, folder, "specimen.h5 and result.h5 have other shapes", "",
+                   "take the folder as one run has written it");
   return run;
 }
 

@@ -7,7 +7,17 @@
 #include "apps/report/run_words.hpp"
 #include "apps/text/complaint.hpp"
 
+namespace output {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorSource, name, compared, peak_stress, peak_strain, stress_error,
+                                   strain_error, wall_time)
+
+}  // namespace output
+
 namespace app {
+
+using nlohmann::json;
+
 namespace {
 
 /// Share of the energy put in that the ledger may miss without a word. Points that move lose more to the
@@ -44,34 +54,10 @@ std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
       100 * result.energy_error, put_in, less_dissipation(scene));
 }
 
-namespace {
-
-using nlohmann::json;
-
-json json_of(const output::ErrorSource& source) {
-  return {{"name", source.name},
-          {"compared", source.compared},
-          {"peak_stress", source.peak_stress},
-          {"peak_strain", source.peak_strain},
-          {"stress_error", source.stress_error},
-          {"strain_error", source.strain_error},
-          {"wall_time", source.wall_time}};
-}
-
-output::ErrorSource source_of(const json& source) {
-  return {source.at("name"),        source.at("compared"),     source.at("peak_stress"),
-          source.at("peak_strain"), source.at("stress_error"), source.at("strain_error"),
-          source.at("wall_time")};
-}
-
-}  // namespace
-
 std::string remarks_text(const RunRemarks& remarks) {
-  json sources = json::array();
-  for (const output::ErrorSource& source : remarks.tolerated.sources) sources.push_back(json_of(source));
   const json all{{"notes", remarks.notes},
                  {"estimate_error", remarks.estimate_error},
-                 {"tolerated", sources},
+                 {"tolerated", remarks.tolerated.sources},
                  {"checkpoint_every", remarks.checkpoint_every}};
   return all.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -81,12 +67,12 @@ RunRemarks parse_remarks(const std::string& text, const std::string& path) try {
   RunRemarks remarks;
   all.at("notes").get_to(remarks.notes);
   all.at("estimate_error").get_to(remarks.estimate_error);
-  for (const json& source : all.at("tolerated")) remarks.tolerated.sources.push_back(source_of(source));
+  all.at("tolerated").get_to(remarks.tolerated.sources);
   all.at("checkpoint_every").get_to(remarks.checkpoint_every);
   return remarks;
 } catch (const json::exception& error) {
-  throw Rejected(Exit::data, complaint(path, error.what(), "must be a checkpoint of mesopix simulate",
-                                       "begin the run anew"));
+  throw Rejected(Exit::data, path, error.what(), "must be a checkpoint of mesopix simulate",
+                 "begin the run anew");
 }
 
 namespace {

@@ -20,6 +20,7 @@
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"
 #include "apps/text/text_parts.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/files/replace_file.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
@@ -53,8 +54,8 @@ class Keeper {
   void report(double wall_time, Console& console) const {
     if (!trouble_.empty()) console.say("warning: the last checkpoint is missing: " + trouble_);
     if (folder_.written() > 0 && task_.remarks.checkpoint_every > 0)
-      console.say(fmt::format("{} checkpoint{} written in {:.3f} s, {:.2f} % of the run", folder_.written(),
-                              folder_.written() == 1 ? "" : "s", folder_.wall_time(),
+      console.say(fmt::format("{} written in {:.3f} s, {:.2f} % of the run",
+                              counted(folder_.written(), "checkpoint"), folder_.wall_time(),
                               100 * folder_.wall_time() / wall_time));
   }
   [[nodiscard]] bool has_kept() const { return folder_.written() > 0 || task_.from; }
@@ -172,11 +173,12 @@ Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, 
 Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   const HeldFolder held(task.folder);
   Job& job = task.job;
-  const std::string hash = specimen::sha256_of_text(task.scene_toml);
+  RunSubject subject{job.specimen,       job.scene,
+                     task.scene_toml,    specimen::sha256_of_text(task.scene_toml),
+                     job.settings.title, job.notes};
   std::optional<LiveView> view;
   if (task.port) {
-    view.emplace(LiveRun{job.specimen, job.scene, task.scene_toml, hash, job.settings.title, job.notes},
-                 *task.port);
+    view.emplace(subject, *task.port);
     console.err << "watch the run at " << view->address() << std::endl;
   }
   Keeper keeper(task);
@@ -195,8 +197,8 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
                                              : task.remarks.tolerated;
   say_notes(job, told, console);
   note_outcome(outcome, job, console);
-  const RunRecord record{job.specimen, job.scene,          outcome.result, task.scene_toml,
-                         hash,         job.settings.title, job.notes,      estimate};
+  subject.notes = job.notes;
+  const RunRecord record{subject, outcome.result, estimate};
   const Lost lost = write_what_fits(task.folder, record);
   if (view) view->finish(outcome.result, last_words(outcome, task.folder, lost));
   if (!outcome.interrupted() && lost.empty()) keeper.remove();
@@ -218,12 +220,12 @@ namespace fs = std::filesystem;
 /// A folder without a checkpoint that can be read.
 void say_how_it_ended(const fs::path& folder, const std::vector<std::string>& faults, Console& console) {
   if (!faults.empty())
-    throw Rejected(Exit::data, complaint("--resume", folder.string() + " has no checkpoint that can be read",
-                                         "", "begin the run anew"));
+    throw Rejected(Exit::data, "--resume", folder.string() + " has no checkpoint that can be read", "",
+                   "begin the run anew");
   const fs::path result = folder / "result.h5";
   if (!fs::exists(result) || read_result(result.string()).stop == mpm::StopReason::interrupted)
-    throw Rejected(Exit::data, complaint("--resume", folder.string() + " has no checkpoint", "",
-                                         "begin the run anew, with --checkpoint-every to have some"));
+    throw Rejected(Exit::data, "--resume", folder.string() + " has no checkpoint", "",
+                   "begin the run anew, with --checkpoint-every to have some");
   console.say("the run in " + folder.string() + " has come to its end, there is nothing to go on with");
 }
 
@@ -256,8 +258,8 @@ Job job_of(const fs::path& folder, Settings settings, const mpm::Checkpoint& che
   const std::string path = (folder / "specimen.h5").string();
   Job job = make_job(std::move(settings), {read_specimen(path), {}, {}});
   if (mpm::specimen_digest(job.scene) != checkpoint.specimen)
-    throw Rejected(Exit::data, complaint(path, "is not the specimen that the run began with", "",
-                                         "bring it back as it was"));
+    throw Rejected(Exit::data, path, "is not the specimen that the run began with", "",
+                   "bring it back as it was");
   return job;
 }
 
@@ -266,7 +268,7 @@ Job job_of(const fs::path& folder, Settings settings, const mpm::Checkpoint& che
 std::optional<RunTask> task_that_goes_on(const fs::path& folder, const std::vector<Assignment>& given,
                                          Console& console) {
   if (!fs::is_directory(folder))
-    throw Rejected(Exit::usage, complaint("--resume", folder.string(), "must be the folder of a run"));
+    throw Rejected(Exit::usage, "--resume", folder.string(), "must be the folder of a run");
   CheckpointFolder::Found found = CheckpointFolder(folder).last();
   for (const std::string& fault : found.faults) console.say("warning: " + fault);
   if (!found.last) {

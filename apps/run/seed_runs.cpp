@@ -27,15 +27,6 @@ bool is_past_peak(const mpm::HistoryRow& row, double peak_strain, double stop_st
   return row.strain >= stop_strain && row.strain >= well_past * peak_strain;
 }
 
-SeedRun outcome(std::uint64_t seed, const mpm::Result& result) {
-  SeedRun run{seed, result.peak_stress, result.peak_strain, {}, {}};
-  for (const mpm::HistoryRow& row : result.history) {
-    run.strain.push_back(row.strain);
-    run.stress.push_back(row.stress);
-  }
-  return run;
-}
-
 SeedRun run_seed(const mpm::Scene& wanted, std::uint64_t seed, RunEnd end,
                  const std::function<bool()>& stopped) {
   mpm::Scene scene = end == RunEnd::past_peak ? with_room(wanted) : wanted;
@@ -52,7 +43,8 @@ SeedRun run_seed(const mpm::Scene& wanted, std::uint64_t seed, RunEnd end,
     if (stopped()) return false;
     return end == RunEnd::of_scene || !is_past_peak(row, peak_strain, wanted.loading.stop_strain);
   };
-  return outcome(seed, mpm::simulate(scene, {.observer = goes_on}));
+  const mpm::Result result = mpm::simulate(scene, {.observer = goes_on});
+  return {seed, result.peak_stress, result.peak_strain, stress_curve(result)};
 }
 
 }  // namespace
@@ -76,13 +68,13 @@ std::optional<std::vector<SeedRun>> run_seeds(const mpm::Scene& scene,
   return runs;
 }
 
-double stress_at(const SeedRun& run, double strain) {
-  const auto above = std::upper_bound(run.strain.begin(), run.strain.end(), strain);
-  if (above == run.strain.end()) return run.stress.back();
-  const auto i = static_cast<std::size_t>(above - run.strain.begin());
-  if (i == 0) return run.stress.front();
-  const double share = (strain - run.strain[i - 1]) / (run.strain[i] - run.strain[i - 1]);
-  return run.stress[i - 1] + share * (run.stress[i] - run.stress[i - 1]);
+double stress_at(const Curve& curve, double strain) {
+  const auto above = std::upper_bound(curve.strain.begin(), curve.strain.end(), strain);
+  if (above == curve.strain.end()) return curve.stress.back();
+  const auto i = static_cast<std::size_t>(above - curve.strain.begin());
+  if (i == 0) return curve.stress.front();
+  const double share = (strain - curve.strain[i - 1]) / (curve.strain[i] - curve.strain[i - 1]);
+  return curve.stress[i - 1] + share * (curve.stress[i] - curve.stress[i - 1]);
 }
 
 Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "apps/statistics/curve.hpp"
 #include "apps/statistics/statistics.hpp"
 #include "libmpm/scene/scene.hpp"
 
@@ -14,10 +15,9 @@ namespace app {
 /// What came out with one seed.
 struct SeedRun {
   std::uint64_t seed = 0;
-  double peak_stress = 0;      ///< [Pa]
-  double peak_strain = 0;      ///< [-]
-  std::vector<double> strain;  ///< of the curve, rising [-]
-  std::vector<double> stress;  ///< of the curve, same length [Pa]
+  double peak_stress = 0;  ///< [Pa]
+  double peak_strain = 0;  ///< [-]
+  Curve curve;
 };
 
 /// When a run ends.
@@ -39,9 +39,9 @@ enum class RunEnd {
                                                             const std::vector<std::uint64_t>& seeds,
                                                             RunEnd end, const std::function<bool()>& stopped);
 
-/// Stress of a run at a strain, between its rows by a straight line, beyond its last one as there [Pa].
-/// @pre the run has a curve.
-[[nodiscard]] double stress_at(const SeedRun& run, double strain);
+/// Stress of a curve at a strain, between its points by a straight line, beyond its ends as there [Pa].
+/// @pre the curve is not empty.
+[[nodiscard]] double stress_at(const Curve& curve, double strain);
 
 /// Of a figure from one run to another.
 [[nodiscard]] Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure);

@@ -54,7 +54,7 @@ void adopt(const Tolerated& found, double tolerance, Job& job) {
   }
   if (!found.met)
     job.notes.push_back(
-        "the tolerance of " + output::trimmed(100 * tolerance) +
+        "the tolerance of " + output::concise(100 * tolerance) +
         " % was not met: where points fail, another order of failures changes the peak as much");
 }
 

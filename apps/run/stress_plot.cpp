@@ -41,22 +41,22 @@ void check_belongs(const mpm::Frame& frame, const fs::path& file, const ReadRun&
   const bool fits =
       (frame.points.empty() || frame.points.back().id < ids) && frame.row >= 0 && frame.row < rows;
   if (!fits)
-    throw Rejected(Exit::data, complaint(file.string(), "is no frame of this run", "",
-                                         "take the folder as one run has written it"));
+    throw Rejected(Exit::data, file.string(), "is no frame of this run", "",
+                   "take the folder as one run has written it");
   const bool are_numbers =
       std::all_of(frame.points.begin(), frame.points.end(), [](const mpm::FramePoint& p) {
         return std::isfinite(p.sxx) && std::isfinite(p.syy) && std::isfinite(p.szz) && std::isfinite(p.sxy);
       });
   if (!are_numbers)
-    throw Rejected(Exit::data, complaint(file.string(), "holds a stress that is no number", "",
-                                         "run the simulation again with a smaller solver.cfl"));
+    throw Rejected(Exit::data, file.string(), "holds a stress that is no number", "",
+                   "run the simulation again with a smaller solver.cfl");
 }
 
 }  // namespace
 
 output::ColourScale read_range(const std::string& text) {
   const std::size_t colon = text.find(':');
-  if (colon == std::string::npos) throw Rejected(Exit::usage, complaint("--range", text, range_example));
+  if (colon == std::string::npos) throw Rejected(Exit::usage, "--range", text, range_example);
   const std::string high = text.substr(colon + 1);
   std::string low = text.substr(0, colon);
   if (unit_of(low).empty()) low += " " + unit_of(high);
@@ -64,7 +64,7 @@ output::ColourScale read_range(const std::string& text) {
   const output::ColourScale range{1e-6 * read_option("range", low, pressure),
                                   1e-6 * read_option("range", high, pressure)};
   if (!(range.low < range.high))
-    throw Rejected(Exit::usage, complaint("--range", text, "the second must be larger than the first"));
+    throw Rejected(Exit::usage, "--range", text, "the second must be larger than the first");
   return range;
 }
 
@@ -72,8 +72,8 @@ StressPlot stress_plot(const ReadRun& run, const fs::path& folder, double strain
                        output::StressComponent component, const std::optional<output::ColourScale>& range) {
   const std::vector<fs::path> frames = frames_of(folder);
   if (frames.empty())
-    throw Rejected(Exit::data, complaint("RUN", folder.string(), "has no frames, which hold the stress",
-                                         "run it again with --frames 40"));
+    throw Rejected(Exit::data, "RUN", folder.string(), "has no frames, which hold the stress",
+                   "run it again with --frames 40");
   const fs::path file = nearest_frame(frames, strain);
   const mpm::Frame frame = read_frame(file.string());
   check_belongs(frame, file, run);

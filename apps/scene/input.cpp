@@ -14,8 +14,7 @@ InputKind kind_of_input(const std::string& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
-    throw Rejected(
-        Exit::io, complaint(path, std::generic_category().message(errno), "must be a file that can be read"));
+    throw Rejected(Exit::io, path, std::generic_category().message(errno), "must be a file that can be read");
   std::array<char, 8> start{};
   stream.read(start.data(), start.size());
   using namespace std::string_view_literals;
@@ -42,15 +41,14 @@ Resolved resolve_picture(const std::string& input, std::vector<Assignment> given
   }
   Resolved resolved = resolve(read_scene_file(input), given);
   if (source_of(resolved.settings) == Source::picture) return resolved;
-  throw Rejected(Exit::data, complaint(input, "has no specimen.picture", "convert needs a picture",
-                                       "use mesopix generate for ellipses"));
+  throw Rejected(Exit::data, input, "has no specimen.picture", "convert needs a picture",
+                 "use mesopix generate for ellipses");
 }
 
 Resolved resolve_input(const char* argument, const std::string& input, std::vector<Assignment> given) {
   const InputKind kind = kind_of_input(input);
   if (kind == InputKind::folder)
-    throw Rejected(Exit::usage,
-                   complaint(argument, input, "is a folder; must be a specimen, a scene or a picture"));
+    throw Rejected(Exit::usage, argument, input, "is a folder; must be a specimen, a scene or a picture");
   if (kind == InputKind::scene) return resolve(read_scene_file(input), given);
   const char* key = kind == InputKind::hdf5 ? "specimen.file" : "specimen.picture";
   given.insert(given.begin(), given_as_option(key, Kind::path, argument, input));
@@ -59,8 +57,8 @@ Resolved resolve_input(const char* argument, const std::string& input, std::vect
 
 Resolved resolve_scene(const std::string& input, const std::vector<Assignment>& given) {
   if (kind_of_input(input) != InputKind::scene)
-    throw Rejected(Exit::usage, complaint("SCENE", input, "must be a scene, scene.toml",
-                                          "mesopix simulate INPUT --print-scene writes one"));
+    throw Rejected(Exit::usage, "SCENE", input, "must be a scene, scene.toml",
+                   "mesopix simulate INPUT --print-scene writes one");
   return resolve(read_scene_file(input), given);
 }
 

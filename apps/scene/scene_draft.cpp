@@ -32,8 +32,8 @@ constexpr int columns_of_first_run = 200;  // of a picture: enough to see grains
 LiveSettings of_picture(const DraftWish& wish) {
   const specimen::Picture picture = specimen::read_picture(wish.picture);
   if (wish.width.empty() && !(picture.pixel_size > 0))
-    throw Rejected(Exit::data, complaint(wish.picture, "does not tell its scale", "",
-                                         "measure how wide what it shows is, and give --width \"40 mm\""));
+    throw Rejected(Exit::data, wish.picture, "does not tell its scale", "",
+                   "measure how wide what it shows is, and give --width \"40 mm\"");
   LiveSettings live{{"specimen.picture", wish.picture}};
   if (!wish.width.empty()) live.emplace_back("convert.width", wish.width);
   if (picture.cols() > columns_of_first_run)
@@ -112,8 +112,7 @@ class Draft {
       try {
         field.set(settings_, from_command_line(field.form.kind, text));
       } catch (const Mistake& mistake) {
-        throw Rejected(Exit::usage,
-                       complaint("--" + leaf_of(key), quoted(text), mistake.allowed, mistake.cure));
+        throw Rejected(Exit::usage, "--" + leaf_of(key), quoted(text), mistake.allowed, mistake.cure);
       }
       given_.insert(key);
     }

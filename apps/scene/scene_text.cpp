@@ -161,8 +161,8 @@ Values values_of(const std::string& scene) {
   } catch (const Rejected& rejected) {
     Complaint why = rejected.complaints.front();
     why.place = {};  // of a text that the user has not before him
-    throw Rejected(Exit::data,
-                   complaint("the scene of a run", text(why), "", "take the run folder as mesopix wrote it"));
+    throw Rejected(Exit::data, "the scene of a run", text(why), "",
+                   "take the run folder as mesopix wrote it");
   }
   return values;
 }

@@ -41,11 +41,11 @@ Rejected unplaced(const std::exception_ptr& exception) {
   } catch (const mpm::Error& error) {
     return {Exit::data, complaint_of(error)};
   } catch (const std::filesystem::filesystem_error& error) {
-    return {Exit::io, complaint("", error.what(), "")};
+    return {Exit::io, "", error.what(), ""};
   } catch (const std::bad_alloc&) {
-    return {Exit::data, complaint("memory", "not enough", "", "use fewer, larger pixels")};
+    return {Exit::data, "memory", "not enough", "", "use fewer, larger pixels"};
   } catch (const std::exception& error) {
-    return {Exit::internal, complaint("internal error", error.what(), "", "please report it")};
+    return {Exit::internal, "internal error", error.what(), "", "please report it"};
   }
 }
 

@@ -20,7 +20,7 @@ template <class Codec>
   try {
     return codec.read(from_command_line(Kind::integer, text));
   } catch (const Mistake& mistake) {
-    throw Rejected(Exit::usage, complaint(option_name(option), text, mistake.allowed, mistake.cure));
+    throw Rejected(Exit::usage, option_name(option), text, mistake.allowed, mistake.cure);
   }
 }
 

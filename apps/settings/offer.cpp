@@ -109,9 +109,8 @@ std::string key_named(const Offer& offer, const std::string& name) {
     if (one.name == spelt) return one.key;
   const std::string of_phase = phase_key(name);
   const std::string key = !of_phase.empty() ? of_phase : spelt;
-  if (!find_field(key))
-    throw Rejected(Exit::usage, complaint(name, "unknown option", suggest_name(offer, spelt)));
-  if (!offer.has(key)) throw Rejected(Exit::usage, complaint(name, "has no effect here", "remove it"));
+  if (!find_field(key)) throw Rejected(Exit::usage, name, "unknown option", suggest_name(offer, spelt));
+  if (!offer.has(key)) throw Rejected(Exit::usage, name, "has no effect here", "remove it");
   return key;
 }
 

@@ -6,32 +6,30 @@
 #include "apps/statistics/statistics.hpp"
 
 namespace app {
-namespace {}  // namespace
-
 Curve stress_curve(const mpm::Result& result) {
   Curve curve;
   for (const mpm::HistoryRow& row : result.history) {
-    curve.x.push_back(row.strain);
-    curve.y.push_back(row.stress);
+    curve.strain.push_back(row.strain);
+    curve.stress.push_back(row.stress);
   }
   return curve;
 }
 
 Curve normalised(const mpm::Result& result) {
   Curve curve = stress_curve(result);
-  for (double& strain : curve.x) strain /= result.peak_strain;
-  for (double& stress : curve.y) stress /= result.peak_stress;
+  for (double& strain : curve.strain) strain /= result.peak_strain;
+  for (double& stress : curve.stress) stress /= result.peak_stress;
   return curve;
 }
 
-double value_at(const Curve& curve, double x) {
-  const auto right = std::lower_bound(curve.x.begin(), curve.x.end(), x);
-  if (right == curve.x.end()) return no_number;
-  const auto i = static_cast<std::size_t>(right - curve.x.begin());
-  if (*right == x) return curve.y[i];
+double value_at(const Curve& curve, double strain) {
+  const auto right = std::lower_bound(curve.strain.begin(), curve.strain.end(), strain);
+  if (right == curve.strain.end()) return no_number;
+  const auto i = static_cast<std::size_t>(right - curve.strain.begin());
+  if (*right == strain) return curve.stress[i];
   if (i == 0) return no_number;
-  const double share = (x - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1]);
-  return curve.y[i - 1] + share * (curve.y[i] - curve.y[i - 1]);
+  const double share = (strain - curve.strain[i - 1]) / (curve.strain[i] - curve.strain[i - 1]);
+  return curve.stress[i - 1] + share * (curve.stress[i] - curve.stress[i - 1]);
 }
 
 std::vector<double> even_axis(double end, int count) {
@@ -65,6 +63,15 @@ double mean_distance(const CurveBand& band, const std::function<double(double)>&
     ++count;
   }
   return count > 0 ? sum / count : no_number;
+}
+
+void drop_maps(mpm::Result& result) {
+  for (auto* map : {&result.failure_strain, &result.crush_strain, &result.end_x, &result.end_y})
+    map->resize(0, 0);
+  for (auto& map : result.deformation) map.resize(0, 0);
+  result.failure_mode.resize(0, 0);
+  result.extra_failure_strain.clear();
+  result.extra_failure_mode.clear();
 }
 
 std::size_t peak_row(const mpm::Result& result) {

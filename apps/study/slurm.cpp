@@ -118,15 +118,15 @@ SlurmFolder SlurmFolder::next(const fs::path& study) {
   fs::create_directories(study / "slurm", error);
   for (int number = 1; number <= most_jobs && !error; ++number)
     if (fs::create_directory(folder_of(study, number), error)) return SlurmFolder(folder_of(study, number));
-  throw Rejected(Exit::io, complaint((study / "slurm").string(), error ? error.message() : "holds 999 jobs",
-                                     "must take the folder of another job", "remove those that are over"));
+  throw Rejected(Exit::io, (study / "slurm").string(), error ? error.message() : "holds 999 jobs",
+                 "must take the folder of another job", "remove those that are over");
 }
 
 std::string SlurmFolder::submit() const {
   const ProgramOutcome outcome = run_other_program({"sbatch", "--parsable", script().string()});
   if (outcome.code != 0)
-    throw Rejected(Exit::io, complaint("sbatch", one_line(outcome.err), "",
-                                       "mesopix study submit --help tells how to give it options"));
+    throw Rejected(Exit::io, "sbatch", one_line(outcome.err), "",
+                   "mesopix study submit --help tells how to give it options");
   const std::string id = id_in(outcome.out);
   mpm::replace_file((path_ / "job_id").string(), id + "\n");
   return id;

@@ -19,7 +19,7 @@ using output::Chart;
 using output::Ink;
 using output::Series;
 
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+using output::gap;
 constexpr double normal_95 =
     1.96;  ///< a normal variable is within so many standard errors in 95 of 100 cases
 constexpr std::size_t most_lines = 200;  ///< faint curves in a chart
@@ -43,20 +43,11 @@ int bins_of(const std::vector<double>& values, double low, double high) {
   return static_cast<int>(std::clamp(bins, 5.0, 50.0));
 }
 
-void add_scaled(Series& series, const Curve& curve, double per_strain) {
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    series.x.push_back(per_strain * curve.x[i]);
-    series.y.push_back(1e-6 * curve.y[i]);
-  }
-  series.x.push_back(gap);
-  series.y.push_back(gap);
-}
-
 double last_strain(const std::vector<std::vector<Curve>>& groups) {
   double last = 0;
   for (const auto& group : groups)
     for (const Curve& curve : group)
-      if (!curve.x.empty()) last = std::max(last, curve.x.back());
+      if (!curve.strain.empty()) last = std::max(last, curve.strain.back());
   return last;
 }
 
@@ -65,29 +56,30 @@ Series faint(const std::vector<std::vector<Curve>>& groups, double per_strain) {
   std::vector<const Curve*> all;
   for (const auto& group : groups)
     for (const Curve& curve : group)
-      if (!curve.x.empty()) all.push_back(&curve);
+      if (!curve.strain.empty()) all.push_back(&curve);
   const std::size_t shown = std::min(all.size(), most_lines);
   Series series{
       shown < all.size() ? fmt::format("{} of {} members", shown, all.size()) : "members", {}, {}, Ink::grid};
-  for (std::size_t i = 0; i < shown; ++i) add_scaled(series, *all[i * all.size() / shown], per_strain);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Curve& curve = *all[i * all.size() / shown];
+    output::add_line(series, curve.strain, curve.stress, per_strain, 1e-6);
+  }
   return series;
 }
 
 std::vector<Curve> not_empty(const std::vector<Curve>& curves) {
   std::vector<Curve> found;
   std::copy_if(curves.begin(), curves.end(), std::back_inserter(found),
-               [](const Curve& curve) { return !curve.x.empty(); });
+               [](const Curve& curve) { return !curve.strain.empty(); });
   return found;
 }
 
 Series line_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y, Ink ink,
                bool dashed, double per_strain) {
   Series series{name, {}, {}, ink, dashed};
-  add_scaled(series, {x, y}, per_strain);
+  output::add_line(series, x, y, per_strain, 1e-6);
   return series;
 }
-
-constexpr std::array group_inks{Ink::first, Ink::second, Ink::third, Ink::fourth, Ink::fifth};
 
 /// log(-log(1 - p)), which is straight in the logarithm of the value.
 double paper(double p) { return std::log(-std::log1p(-p)); }
@@ -170,10 +162,10 @@ Chart curves_chart(const std::vector<std::string>& names, const std::vector<std:
   Chart chart{"Stress against strain of all members", {strain_name, unit.name}, {stress_name, "MPa"}, {}, {}};
   chart.series.push_back(faint(groups, unit.per_strain));
   const std::vector<double> axis = even_axis(last, places);
-  for (std::size_t i = 0; i < std::min(groups.size(), group_inks.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(groups.size(), output::series_inks); ++i) {
     const CurveBand band = band_of(not_empty(groups[i]), axis, 0.1);
     const auto add = [&](const std::string& name, const std::vector<double>& y, bool dashed) {
-      chart.series.push_back(line_of(name, band.x, y, group_inks[i], dashed, unit.per_strain));
+      chart.series.push_back(line_of(name, band.x, y, output::ink_of_series(i), dashed, unit.per_strain));
     };
     add(names[i], band.mean, false);
     if (groups.size() > 1) continue;

@@ -51,8 +51,8 @@ bool is_free(const fs::path& folder) {
 FileTexts kept_texts(const fs::path& folder) {
   if (is_free(folder)) return {};
   if (!is_there(folder / "study.toml"))
-    throw Rejected(Exit::usage, complaint("-o", folder.string(), "holds something else than a study",
-                                          "choose another folder"));
+    throw Rejected(Exit::usage, "-o", folder.string(), "holds something else than a study",
+                   "choose another folder");
   return {read_text_file((folder / "study.toml").string()), read_text_file((folder / "scene.toml").string())};
 }
 
@@ -67,7 +67,7 @@ std::string differences_text(const FileTexts& kept, const FileTexts& given) {
   add("", kept.study, given.study);
   add("scene ", kept.scene, given.scene);
   if (texts.size() > most_differences) texts.resize(most_differences);
-  return output::listed(texts);
+  return listed(texts, "and");
 }
 
 /// Whether every member of the study that a folder holds is among those.
@@ -94,8 +94,8 @@ T said_in(const fs::path& file, const char* key, const std::string& cure = {}) {
   const auto json = nlohmann::json::parse(read_text_file(file.string()), nullptr, false);
   const auto value = json.is_object() ? json.value(key, nlohmann::json()) : nlohmann::json();
   if (std::is_same_v<T, int> ? value.is_number_integer() : value.is_string()) return value.get<T>();
-  throw Rejected(Exit::data, complaint(file.string(), std::string("says no ") + key,
-                                       "must be as mesopix wrote it", cure));
+  throw Rejected(Exit::data, file.string(), std::string("says no ") + key, "must be as mesopix wrote it",
+                 cure);
 }
 
 /// As the folder says it; before it did, it was 1.
@@ -114,14 +114,12 @@ void StudyFolder::check_format(const Study& study) const {
   const int kept = kept_format(file("format.json"));
   if (kept == identity_format) return;
   throw Rejected(
-      Exit::data,
-      complaint(
-          "-o", path_.string(),
-          fmt::format("holds members kept by {} version of mesopix, which have another identity",
-                      kept < identity_format ? "an older" : "a newer"),
-          fmt::format("run the study anew in a folder of its own, mesopix study {} -o {}; what is in this "
-                      "one, its table too, stays as it is",
-                      shell_word(study.file.path), shell_word(path_.string() + "-new"))));
+      Exit::data, "-o", path_.string(),
+      fmt::format("holds members kept by {} version of mesopix, which have another identity",
+                  kept < identity_format ? "an older" : "a newer"),
+      fmt::format("run the study anew in a folder of its own, mesopix study {} -o {}; what is in this "
+                  "one, its table too, stays as it is",
+                  shell_word(study.file.path), shell_word(path_.string() + "-new")));
 }
 
 void StudyFolder::open(const Study& study, const std::vector<Member>& members) const {
@@ -131,8 +129,8 @@ void StudyFolder::open(const Study& study, const std::vector<Member>& members) c
   if (!kept.study.empty() && kept != given) {
     const Study before = study_of({kept.study, study.file.path}, {kept.scene, study.scene.path});
     if (!only_grew(before, members))
-      throw Rejected(Exit::usage, complaint("-o", path_.string() + " holds another study",
-                                            differences_text(kept, given), cure_of(before, study)));
+      throw Rejected(Exit::usage, "-o", path_.string() + " holds another study",
+                     differences_text(kept, given), cure_of(before, study));
   }
   make_folders(path_ / "members");
   make_folders(path_ / "failures");

@@ -162,9 +162,8 @@ void refuse_repetition(const Study& study, const Member& member,
 
 void check_count(std::size_t points, std::size_t seeds) {
   if (points * seeds <= most_members) return;
-  throw Rejected(Exit::data, complaint("study", fmt::format("{} points with {} seeds each", points, seeds),
-                                       fmt::format("must have at most {} members", most_members),
-                                       "take fewer of either"));
+  throw Rejected(Exit::data, "study", fmt::format("{} points with {} seeds each", points, seeds),
+                 fmt::format("must have at most {} members", most_members), "take fewer of either");
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ constexpr double picture_scale = 2;  ///< pixels of cracks.png per px of its dra
 constexpr double paper_margin = 12;  ///< round it [px]
 
 std::string grouped_count(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", output::grouped(static_cast<std::int64_t>(count)), thing,
-                     count == 1 ? "" : "s");
+  const auto number = static_cast<std::int64_t>(count);
+  return output::grouped(number) + " " + noun_for(number, thing);
 }
 
 std::string header(const StudyRecord& record) {
@@ -43,7 +43,7 @@ std::string header(const StudyRecord& record) {
                         grouped_count(record.members.size(), "member");
   if (!plan.parameters.empty()) setting += ", " + grouped_count(record.members.size() / seeds, "point");
   if (!plan.seeds.empty())
-    setting += ", " + grouped_count(seeds, "seed") + " of " + output::listed(plan.seed_of);
+    setting += ", " + grouped_count(seeds, "seed") + " of " + listed(plan.seed_of, "and");
   return output::heading(plan.title, setting);
 }
 
@@ -55,13 +55,14 @@ std::string failures_section(const StudyRecord& record) {
         outcome.state == MemberState::failed)
       reasons.push_back(name_of(record.study, member) + ": " + outcome.reason);
   if (reasons.empty()) return "";
-  std::string html =
+  const std::string html =
       paragraph(grouped_count(reasons.size(), "member") + " failed, and stand in none of the figures.");
-  std::string list;
-  for (std::size_t i = 0; i < std::min(most, reasons.size()); ++i)
-    list += "<li>" + output::escape(reasons[i]) + "</li>\n";
-  if (reasons.size() > most) list += "<li>" + std::to_string(reasons.size() - most) + " more</li>\n";
-  return section("Failures", html + "<ul class=\"notes\">\n" + list + "</ul>\n");
+  const std::size_t all = reasons.size();
+  if (all > most) {
+    reasons.resize(most);
+    reasons.push_back(std::to_string(all - most) + " more");
+  }
+  return section("Failures", html + output::notes_list(reasons));
 }
 
 /// What a run of its own would have been noted for, of the worst member.
@@ -194,10 +195,7 @@ std::string influence_charts(const StudyRecord& record) {
                                              {"Peak stress", "MPa"}),
                              480, 300, ""));
   }
-  std::string html;
-  for (std::size_t i = 0; i < charts.size(); i += 2)
-    html += output::side_by_side("even", charts[i], i + 1 < charts.size() ? charts[i + 1] : "");
-  return html;
+  return output::in_pairs(charts);
 }
 
 std::string sensitivity_table(const StudyRecord& record, const std::string& name,
@@ -256,7 +254,7 @@ std::string sensitivity_section(const StudyRecord& record) {
                  influence_charts(record) +
                      sensitivity_table(record, "Peak stress", record.results.peak_stress()) +
                      sensitivity_table(record, "Strain at the peak", record.results.peak_strain()) +
-                     "<div class=\"remarks\">\n" + output::paragraph(sensitivity_caption) + "</div>\n");
+                     output::remarks(paragraph(sensitivity_caption)));
 }
 
 std::string size_section(const StudyRecord& record) {

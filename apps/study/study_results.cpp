@@ -11,6 +11,7 @@
 #include "apps/study/study_values.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/figures.hpp"
+#include "apps/text/text_parts.hpp"
 #include "libmpm/files/result_file.hpp"
 #include "libmpm/scene/error.hpp"
 
@@ -22,7 +23,7 @@ constexpr std::size_t points_kept = 200;
 /// Every so many rows of the history, and the one at the peak.
 Curve thinned(const mpm::Result& result) {
   const Curve whole = stress_curve(result);
-  const std::size_t count = whole.x.size();
+  const std::size_t count = whole.strain.size();
   if (count <= points_kept) return whole;
   std::vector<std::size_t> rows{peak_row(result)};
   for (std::size_t i = 0; i < points_kept; ++i) rows.push_back(i * (count - 1) / (points_kept - 1));
@@ -30,8 +31,8 @@ Curve thinned(const mpm::Result& result) {
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   Curve curve;
   for (const std::size_t row : rows) {
-    curve.x.push_back(whole.x[row]);
-    curve.y.push_back(whole.y[row]);
+    curve.strain.push_back(whole.strain[row]);
+    curve.stress.push_back(whole.stress[row]);
   }
   return curve;
 }
@@ -68,14 +69,7 @@ void add_cracks(CrackCount& cracks, const mpm::Result& result) {
 MemberOutcome outcome_of(mpm::Result result) {
   MemberOutcome outcome{MemberState::done, {}, {}, result.history.back()};
   result.history.clear();
-  result.failure_strain.resize(0, 0);
-  result.failure_mode.resize(0, 0);
-  result.crush_strain.resize(0, 0);
-  result.end_x.resize(0, 0);
-  result.end_y.resize(0, 0);
-  for (auto& map : result.deformation) map.resize(0, 0);
-  result.extra_failure_strain.clear();
-  result.extra_failure_mode.clear();
+  drop_maps(result);
   outcome.figures = std::move(result);
   return outcome;
 }
@@ -188,10 +182,7 @@ std::string stop_word(const MemberOutcome& outcome) {
 std::string cell(double value) { return std::isfinite(value) ? output::exact(value) : ""; }
 std::string cell(std::int64_t value) { return std::to_string(value); }
 std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted_text = "\"";
-  for (const char c : text) quoted_text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted_text + '"';
+  return text.find_first_of(",\"\r\n") == std::string::npos ? text : quoted_cell(text);
 }
 
 }  // namespace

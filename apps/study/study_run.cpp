@@ -118,8 +118,6 @@ class Runner {
   }
 
  private:
-  bool goes_on() const { return !watch_.go_on || watch_.go_on(); }
-
   /// Only a failing disk, and a mistake of ours, ends the study.
   void run(const Member& member) {
     std::string reason;
@@ -150,7 +148,8 @@ class Runner {
     const Settings& settings = *member.settings;
     const mpm::Scene scene = build_scene(*specimens_.of(settings), settings);
     MemberCheckpoints checkpoints(folder_.run_folder(member), identity_text(settings));
-    const mpm::Result result = checkpoints.run(scene, [this](const mpm::Progress&) { return goes_on(); });
+    const mpm::Result result =
+        checkpoints.run(scene, [this](const mpm::Progress&) { return watch_.goes_on(); });
     if (result.stop == mpm::StopReason::interrupted) return false;
     {
       const Hdf5Turn turn = hdf5_turn();
@@ -163,7 +162,7 @@ class Runner {
   void count(bool done) {
     const std::scoped_lock lock(mutex_);
     ++(done ? tally_.done : tally_.failed);
-    if (watch_.looked) watch_.looked(tally_);
+    watch_.tell(tally_);
   }
 
   const Study& study_;

@@ -17,6 +17,7 @@
 #include "apps/run/checkpoint_folder.hpp"
 #include "apps/settings/settings.hpp"
 #include "apps/study/study_folder.hpp"
+#include "apps/system/job_pool.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "specimen/body/specimen.hpp"
 
@@ -77,10 +78,7 @@ struct StudyTally {
   [[nodiscard]] std::size_t open() const { return all - before - done - failed; }
 };
 
-struct StudyWatch {
-  std::function<void(const StudyTally&)> looked = {};  ///< after each member, by one thread at a time
-  std::function<bool()> go_on = {};  ///< asked by all threads; once it says no, all runs end unfinished
-};
+using StudyWatch = WatchOf<const StudyTally&>;
 
 /// Whether every member's settings go with a specimen: phases, edges, solver. Specimens from files are all
 /// looked at, of random ones the first; one that cannot be made is left to its run.

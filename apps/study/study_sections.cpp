@@ -100,7 +100,7 @@ std::string title_of(const StudyParameter& parameter) {
 
 std::string cell_of(const StudyParameter& parameter, const Value& value) {
   return is_number(parameter)
-             ? output::trimmed(readable_unit(parameter).per_si * number_of(parameter, value), 5)
+             ? output::concise(readable_unit(parameter).per_si * number_of(parameter, value), 5)
              : text_of(parameter, value);
 }
 
@@ -147,10 +147,8 @@ std::string peaks_by_point(const StudyRecord& record) {
       rows.push_back(point_row(record, *point, stress[point->point], strain[point->point], unit));
   std::string html = output::number_table(point_head(record, unit), rows);
   if (stress.size() > most_rows)
-    html += "<div class=\"remarks\">\n" +
-            output::paragraph(fmt::format("The first {} of {} points; all members stand in table.csv.",
-                                          most_rows, stress.size())) +
-            "</div>\n";
+    html += output::remarks(output::paragraph(
+        fmt::format("The first {} of {} points; all members stand in table.csv.", most_rows, stress.size())));
   return html;
 }
 

@@ -32,11 +32,10 @@ std::string read_text_file(const std::string& path, std::size_t longest) {
   }
   if (folder || !stream.is_open() || stream.bad()) {
     const std::string reason = folder ? "is a folder" : std::generic_category().message(errno);
-    throw Rejected(Exit::io, complaint(path, reason, "must be a file that can be read"));
+    throw Rejected(Exit::io, path, reason, "must be a file that can be read");
   }
   if (text.size() > longest)
-    throw Rejected(Exit::data,
-                   complaint(path, "is too long", fmt::format("at most {} MiB are read", longest >> 20U)));
+    throw Rejected(Exit::data, path, "is too long", fmt::format("at most {} MiB are read", longest >> 20U));
   return text;
 }
 
@@ -90,9 +89,8 @@ int hold(const fs::path& lock) {
     if (taken && is_still_there(descriptor, lock)) return descriptor;
     ::close(descriptor);
     if (!taken)
-      throw Rejected(Exit::interrupted,
-                     complaint(lock.parent_path().string(), "another program is writing a run there", "",
-                               "wait until it has ended, or choose another folder"));
+      throw Rejected(Exit::interrupted, lock.parent_path().string(), "another program is writing a run there",
+                     "", "wait until it has ended, or choose another folder");
   }
 }
 

@@ -58,8 +58,7 @@ int status_of(pid_t process) {
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw Rejected(Exit::data,
-                 complaint(path, "is damaged: " + why, "", "take a copy of it, or make it again"));
+  throw Rejected(Exit::data, path, "is damaged: " + why, "", "take a copy of it, or make it again");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class Queue {
   /// Number of the next job; that of the jobs where none may be begun.
   std::size_t take() {
     const std::scoped_lock lock(mutex_);
-    if (failed_ || (watch_.go_on && !watch_.go_on())) return jobs_.size();
+    if (failed_ || !watch_.goes_on()) return jobs_.size();
     return next_ < jobs_.size() ? next_++ : jobs_.size();
   }
 
@@ -47,7 +47,7 @@ class Queue {
     failed_ = failed_ || error;
     if (error) return;
     ++done_;
-    if (watch_.job_done) watch_.job_done(done_);
+    watch_.tell(done_, jobs_.size());
   }
 
   const std::vector<std::function<void()>>& jobs_;

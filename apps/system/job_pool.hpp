@@ -7,11 +7,21 @@
 
 namespace app {
 
-struct Watch {
-  std::function<void(std::size_t done)>
-      job_done;                 ///< called after each job, by one thread at a time; may be empty
-  std::function<bool()> go_on;  ///< no further job is begun once it says no; may be empty
+/// Whoever waits for jobs: is told how far they are, and may end them.
+template <class... Progress>
+struct WatchOf {
+  std::function<void(Progress...)> told = {};  ///< after each job, by one thread at a time; may be empty
+  std::function<bool()> go_on = {};  ///< asked by all threads; no job is begun, and none that asks goes
+                                     ///< on, once it says no; may be empty
+
+  void tell(Progress... progress) const {
+    if (told) told(progress...);
+  }
+  [[nodiscard]] bool goes_on() const { return !go_on || go_on(); }
 };
+
+/// Told the number of jobs that are done, and that of all.
+using Watch = WatchOf<std::size_t, std::size_t>;
 
 /// Do jobs on as many threads; each is begun in the order of the list and writes where no other one does, so
 /// that the outcome does not depend on who did what.

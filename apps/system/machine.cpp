@@ -82,7 +82,7 @@ Machine this_machine() {
 std::uint64_t free_disk(const std::string& folder) {
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
-  if (error) throw Rejected(Exit::io, complaint(folder, error.message(), "must be a folder"));
+  if (error) throw Rejected(Exit::io, folder, error.message(), "must be a folder");
   return space.available;
 }
 

@@ -88,7 +88,7 @@ using TemporaryFile = std::unique_ptr<std::FILE, Close>;
 
 TemporaryFile temporary_file() {
   TemporaryFile file(std::tmpfile());
-  if (!file) throw Rejected(Exit::io, complaint("temporary file", std::strerror(errno), "make room in /tmp"));
+  if (!file) throw Rejected(Exit::io, "temporary file", std::strerror(errno), "make room in /tmp");
   return file;
 }
 
@@ -123,8 +123,7 @@ ProgramOutcome run_other_program(const std::vector<std::string>& words) {
   pid_t process = 0;
   const int error = ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
-  if (error != 0)
-    throw Rejected(Exit::io, complaint(words[0], std::strerror(error), "must be a program in the PATH"));
+  if (error != 0) throw Rejected(Exit::io, words[0], std::strerror(error), "must be a program in the PATH");
   const int code = wait_for(process);
   return {code, text_of(out.get()), text_of(err.get())};
 }

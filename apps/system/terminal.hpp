@@ -1,6 +1,7 @@
 /// Where the program writes to, what can be shown there, and how it words what it says.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <ostream>
 #include <string>
@@ -38,24 +39,6 @@ struct TerminalEnvironment {
 /// A help whose headings stand out, where that is wanted: lines that begin with a letter and end with ":".
 [[nodiscard]] std::string with_headings(const std::string& help, bool coloured);
 
-inline constexpr const char* wipe_line = "\r\x1b[K";  ///< and go back to its beginning
-
-/// Wiped at the end. Texts are cut to 79 letters, since a line that is broken cannot be wiped.
-class TerminalLine {
- public:
-  TerminalLine(std::ostream& terminal, bool enabled) : terminal_(terminal), enabled_(enabled) {}
-  ~TerminalLine();
-  TerminalLine(const TerminalLine&) = delete;
-  TerminalLine& operator=(const TerminalLine&) = delete;
-
-  void show(const std::string& text);
-
- private:
-  std::ostream& terminal_;
-  bool enabled_;
-  bool drawn_ = false;
-};
-
 /// Results go to `out`, everything said to a person to `err`.
 struct Console {
   std::ostream& out;
@@ -70,6 +53,32 @@ struct Console {
   void say(const std::string& line) {
     if (!quiet) err << printable_lines(line) << '\n' << std::flush;
   }
+};
+
+inline constexpr const char* wipe_line = "\r\x1b[K";  ///< and go back to its beginning
+
+/// Wiped at the end. Texts are cut to 79 letters, since a line that is broken cannot be wiped.
+class TerminalLine {
+ public:
+  TerminalLine(std::ostream& terminal, bool enabled) : terminal_(terminal), enabled_(enabled) {}
+  /// Beside what is said there, where that is a terminal and not quiet.
+  explicit TerminalLine(Console& console)
+      : TerminalLine(console.err, console.err_is_terminal && !console.quiet) {}
+  ~TerminalLine();
+  TerminalLine(const TerminalLine&) = delete;
+  TerminalLine& operator=(const TerminalLine&) = delete;
+
+  void show(const std::string& text);
+  /// Since it was made [s].
+  [[nodiscard]] double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::ostream& terminal_;
+  bool enabled_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace app

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/text/utf8.hpp"
+
 namespace app {
 
 /// Exit codes, after sysexits.h.
@@ -75,6 +77,10 @@ using Locate = std::function<Complaint(Complaint)>;
 struct Rejected : std::runtime_error {
   Rejected(Exit exit_code, std::vector<Complaint> all);
   Rejected(Exit exit_code, Complaint one) : Rejected(exit_code, std::vector{std::move(one)}) {}
+  /// With one that has no place in a file, as complaint() makes it.
+  Rejected(Exit exit_code, std::string field, std::string value, std::string allowed, std::string cure = {})
+      : Rejected(exit_code,
+                 complaint(std::move(field), std::move(value), std::move(allowed), std::move(cure))) {}
   Exit code;
   std::vector<Complaint> complaints;
 };
@@ -88,22 +94,5 @@ struct Mistake : std::runtime_error {
   std::string allowed;
   std::string cure;
 };
-
-/// Text in double quotes with control characters escaped, so that it stays on its line; also a TOML string.
-[[nodiscard]] std::string quoted(const std::string& text);
-
-/// Whether the bytes are UTF-8, as TOML and JSON need them.
-[[nodiscard]] bool is_utf8(const std::string& text);
-
-/// Text without control characters and bytes that are no UTF-8 (they become "?"), for what is shown as the
-/// user wrote it: a terminal obeys some of them, the C1 set among them, and others turn the direction of the
-/// line round.
-[[nodiscard]] std::string printable(const std::string& text);
-
-/// The same, but for line breaks, which stay.
-[[nodiscard]] std::string printable_lines(const std::string& text);
-
-/// Text with its control characters as \u009B, as TOML and JSON take them within quotes.
-[[nodiscard]] std::string escaped_controls(const std::string& text);
 
 }  // namespace app

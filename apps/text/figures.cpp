@@ -53,7 +53,7 @@ std::string without_zeros(std::string digits) {
   return digits;
 }
 
-enum class Style { rounded, trimmed, power };
+enum class Style { rounded, concise, power };
 
 std::string figure(double value, int digits, Style style) {
   if (!std::isfinite(value)) return std::string(dash);
@@ -80,9 +80,9 @@ std::string exact(double value) {
 
 std::string rounded(double value, int digits) { return figure(value, digits, Style::rounded); }
 
-std::string trimmed(double value, int digits) { return figure(value, digits, Style::trimmed); }
+std::string concise(double value, int digits) { return figure(value, digits, Style::concise); }
 
-std::string trimmed_power(double value, int digits) { return figure(value, digits, Style::power); }
+std::string concise_power(double value, int digits) { return figure(value, digits, Style::power); }
 
 std::string with_decimals(double value, int decimals) {
   if (!std::isfinite(value)) return std::string(dash);

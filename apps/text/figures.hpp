@@ -14,10 +14,10 @@ namespace output {
 [[nodiscard]] std::string rounded(double value, int digits = 3);
 
 /// As rounded(), less the zeros behind the point that say nothing: for what somebody chose ("0.05").
-[[nodiscard]] std::string trimmed(double value, int digits = 6);
+[[nodiscard]] std::string concise(double value, int digits = 6);
 
-/// As trimmed(), but a power of ten alone: "10⁻⁵" rather than "1 × 10⁻⁵".
-[[nodiscard]] std::string trimmed_power(double value, int digits);
+/// As concise(), but a power of ten alone: "10⁻⁵" rather than "1 × 10⁻⁵".
+[[nodiscard]] std::string concise_power(double value, int digits);
 
 /// A fixed number of decimals, else as rounded().
 [[nodiscard]] std::string with_decimals(double value, int decimals);
@@ -27,19 +27,6 @@ namespace output {
 
 /// 0.4513 -> "45.1 %".
 [[nodiscard]] std::string percent(double share, int decimals = 1);
-
-/// "a, b and c".
-template <class Range>
-[[nodiscard]] std::string listed(const Range& items) {
-  std::string text;
-  std::size_t i = 0;
-  for (const std::string& item : items) {
-    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
-    text += item;
-    ++i;
-  }
-  return text;
-}
 
 }  // namespace output
 

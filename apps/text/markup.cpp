@@ -5,31 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "apps/text/complaint.hpp"
+#include "apps/text/utf8.hpp"
 
 namespace output {
 namespace {
 
 constexpr std::string_view replacement = "\uFFFD";
-
-bool is_continuation(unsigned char byte) { return (byte & 0xC0U) == 0x80U; }
-
-/// Length of the UTF-8 sequence that text begins with; 0 where it is none (RFC 3629: no overlong forms, no
-/// surrogates, nothing above U+10FFFF).
-std::size_t sequence_length(std::string_view text) {
-  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = at(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if (!is_continuation(at(i))) return 0;
-  if (first == 0xE0 && at(1) < 0xA0) return 0;
-  if (first == 0xED && at(1) > 0x9F) return 0;
-  if (first == 0xF0 && at(1) < 0x90) return 0;
-  if (first == 0xF4 && at(1) > 0x8F) return 0;
-  return length;
-}
 
 std::string_view escaped_ascii(char c, std::string_view as_is) {
   switch (c) {
@@ -57,7 +38,7 @@ std::string escape(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
   while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
+    const std::size_t length = app::character_length(text);
     const std::string_view as_is = text.substr(0, length);
     if (length == 0)
       escaped += replacement;

@@ -18,6 +18,24 @@
 namespace app {
 namespace {
 
+/// A dimension in words, in the order of the enumeration.
+struct InWords {
+  const char *name, *example;
+};
+
+const InWords& in_words(Dimension dimension) {
+  static constexpr std::array<InWords, 9> all{{{"number", "0.45"},
+                                               {"length", "0.5 mm"},
+                                               {"area", "2 mm2"},
+                                               {"pressure", "20 GPa"},
+                                               {"angle", "50 deg"},
+                                               {"velocity", "0.05 m/s"},
+                                               {"density", "2400 kg/m3"},
+                                               {"time", "0.1 ms"},
+                                               {"energy of an area", "60 J/m2"}}};
+  return all[static_cast<std::size_t>(dimension)];
+}
+
 constexpr double degree = std::numbers::pi / 180;
 
 /// A unit is `factor` times ten to the `exponent` SI units; the factor differs from 1 for degrees, minutes
@@ -172,29 +190,7 @@ std::vector<std::string> unit_names(Dimension dimension) {
   return names;
 }
 
-std::string name(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::ratio:
-      return "number";
-    case Dimension::length:
-      return "length";
-    case Dimension::area:
-      return "area";
-    case Dimension::pressure:
-      return "pressure";
-    case Dimension::angle:
-      return "angle";
-    case Dimension::velocity:
-      return "velocity";
-    case Dimension::density:
-      return "density";
-    case Dimension::time:
-      return "time";
-    case Dimension::energy:
-      return "energy of an area";
-  }
-  return {};
-}
+std::string name(Dimension dimension) { return in_words(dimension).name; }
 
 std::string si_unit(Dimension dimension) {
   if (dimension == Dimension::ratio) return "1";
@@ -204,29 +200,7 @@ std::string si_unit(Dimension dimension) {
   return std::string(found->name);
 }
 
-std::string example(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::ratio:
-      return "0.45";
-    case Dimension::length:
-      return "0.5 mm";
-    case Dimension::area:
-      return "2 mm2";
-    case Dimension::pressure:
-      return "20 GPa";
-    case Dimension::angle:
-      return "50 deg";
-    case Dimension::velocity:
-      return "0.05 m/s";
-    case Dimension::density:
-      return "2400 kg/m3";
-    case Dimension::time:
-      return "0.1 ms";
-    case Dimension::energy:
-      return "60 J/m2";
-  }
-  return {};
-}
+std::string example(Dimension dimension) { return in_words(dimension).example; }
 
 NoQuantity::NoQuantity(Dimension dimension, const std::string& how_to_cure)
     : Mistake(fmt::format("must be {} {}, e.g. {}",

@@ -92,6 +92,12 @@ std::pair<std::string, std::string> TableReader::name_and_unit(const CsvCell& he
   return {heading.text.substr(0, bar), bar == std::string::npos ? "" : heading.text.substr(bar + 1)};
 }
 
+std::string quoted_cell(const std::string& text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
 std::string shell_word(const std::string& text) {
   constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./";
   if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;

@@ -66,6 +66,9 @@ class TableReader {
   std::size_t width_ = 0;  ///< cells in the header
 };
 
+/// A cell between quotes, which are doubled inside (RFC 4180).
+[[nodiscard]] std::string quoted_cell(const std::string& text);
+
 /// An argument as a shell takes it, in quotes where it needs them.
 [[nodiscard]] std::string shell_word(const std::string& text);
 

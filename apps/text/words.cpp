@@ -56,15 +56,6 @@ std::string did_you_mean(std::string_view written, const std::vector<std::string
   return text(Suggestion{closest(written, candidates), {}});
 }
 
-std::string listed(const std::vector<std::string>& names, const char* last) {
-  std::string result;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) result += i + 1 == names.size() ? std::string(" ") + last + " " : ", ";
-    result += names[i];
-  }
-  return result;
-}
-
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -20,7 +22,25 @@ namespace app {
 [[nodiscard]] std::string did_you_mean(std::string_view written, const std::vector<std::string>& candidates);
 
 /// "a, b or c".
-[[nodiscard]] std::string listed(const std::vector<std::string>& names, const char* last = "or");
+template <class Range = std::vector<std::string>>
+[[nodiscard]] std::string listed(const Range& items, const std::string& last = "or") {
+  std::string text;
+  std::size_t i = 0;
+  for (const std::string& item : items) {
+    if (i > 0) text += i + 1 == items.size() ? " " + last + " " : ", ";
+    text += item;
+    ++i;
+  }
+  return text;
+}
+
+/// The word of a value, from a table that has all values; empty for one that it has not.
+template <class E>
+[[nodiscard]] std::string word_in(std::initializer_list<std::pair<E, const char*>> table, E value) {
+  for (const auto& [one, word] : table)
+    if (one == value) return word;
+  return {};
+}
 
 [[nodiscard]] std::string upper(std::string text);  ///< "length" -> "LENGTH"
 /// "aggregate" for 1, "aggregates" for other counts; for nouns with a regular plural.

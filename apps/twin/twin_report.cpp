@@ -22,8 +22,6 @@ using output::Chart;
 using output::Ink;
 using output::Series;
 
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-
 using Values = std::vector<double>;
 
 /// Values of every twin at the same abscissas, put together.
@@ -49,20 +47,9 @@ Band band_of(const std::vector<Values>& twins) {
   return band;
 }
 
-/// Adds a line of points that begins anew after what is there.
-void add_line(Series& series, const Values& x, const Values& y) {
-  if (!series.x.empty()) {
-    series.x.push_back(gap);
-    series.y.push_back(gap);
-  }
-  const std::size_t count = std::min(x.size(), y.size());
-  series.x.insert(series.x.end(), x.begin(), x.begin() + static_cast<std::ptrdiff_t>(count));
-  series.y.insert(series.y.end(), y.begin(), y.begin() + static_cast<std::ptrdiff_t>(count));
-}
-
 Series line(const std::string& name, const Values& x, const Values& y, Ink ink, bool dashed = false) {
   Series series{name, {}, {}, ink, dashed};
-  add_line(series, x, y);
+  output::add_line(series, x, y);
   return series;
 }
 
@@ -75,7 +62,7 @@ void add_original_and_twins(Chart& chart, const Values& x, const TwinTask& task,
   const Band band = band_of(all);
   if (twins.size() > 1) {
     Series range = line("twins, least and largest", x, band.least, Ink::muted);
-    add_line(range, x, band.largest);
+    output::add_line(range, x, band.largest);
     chart.series.push_back(std::move(range));
   }
   chart.series.push_back(line("twins, mean", x, band.mean, Ink::second, true));
@@ -174,7 +161,7 @@ Chart gap_chart(const TwinTask& task, const std::vector<TwinRecord>& twins) {
     Values shares;
     for (const double distance : distances) {
       const auto near = std::upper_bound(d.gaps.begin(), d.gaps.end(), distance) - d.gaps.begin();
-      shares.push_back(d.gaps.empty() ? gap
+      shares.push_back(d.gaps.empty() ? output::gap
                                       : 100 * static_cast<double>(near) / static_cast<double>(d.gaps.size()));
     }
     return shares;
@@ -222,22 +209,18 @@ std::string figure(const specimen::Raster<specimen::Rgb>& picture, const std::st
       d.sample.cut);
 }
 
-std::string legend() {
+std::string pictures(const TwinTask& task, const std::vector<TwinRecord>& twins) {
   using specimen::phase_colour;
   namespace phase = specimen::phase;
-  return "<p class=\"legend\">\n" + output::swatch(phase_colour(phase::aggregate), "aggregate") +
-         output::swatch(phase_colour(phase::mortar), "mortar") +
-         output::swatch(phase_colour(phase::itz), "ITZ") +
-         output::swatch(phase_colour(phase::void_), "void") + "</p>\n";
-}
-
-std::string pictures(const TwinTask& task, const std::vector<TwinRecord>& twins) {
-  std::string html = legend() + "<div class=\"pictures\">\n" +
-                     figure(specimen::preview(task.original.mask), "The original", task.descriptors);
+  std::string html = figure(specimen::preview(task.original.mask), "The original", task.descriptors);
   for (const TwinRecord& twin : twins)
     if (!twin.picture.empty())
       html += figure(twin.picture, fmt::format("Twin of seed {}", twin.seed), twin.descriptors);
-  return html + "</div>\n";
+  return output::legend("", {{phase_colour(phase::aggregate), "aggregate"},
+                             {phase_colour(phase::mortar), "mortar"},
+                             {phase_colour(phase::itz), "ITZ"},
+                             {phase_colour(phase::void_), "void"}}) +
+         output::pictures(html);
 }
 
 std::string figures_table(const TwinTask& task, const specimen::Misfit& misfit) {
@@ -257,10 +240,9 @@ std::string curves_table(const specimen::Misfit& misfit) {
                               rows);
 }
 
-std::string notes_list(const std::vector<std::string>& notes) {
-  std::string html = "<ul class=\"notes\">\n";
-  for (const std::string& note : notes) html += "<li>" + escape(output::capitalised(note)) + ".</li>\n";
-  return html + "</ul>\n";
+std::string sentences(std::vector<std::string> notes) {
+  for (std::string& note : notes) note = output::capitalised(note) + ".";
+  return output::notes_list(notes);
 }
 
 constexpr const char* s2_caption =
@@ -298,12 +280,11 @@ std::string twin_html(const TwinTask& task, const std::vector<TwinRecord>& twins
                   side_by_side("even", chart_figure(s2_chart(task, twins), 500, 330, s2_caption),
                                chart_figure(s2_along_axes_chart(task, twins), 500, 330, s2_axes_caption))) +
           section("Sizes and shapes",
-                  side_by_side("even", chart_figure(size_chart(task, twins), 500, 330, size_caption),
-                               chart_figure(aspect_chart(task, twins), 500, 330, aspect_caption)) +
-                      side_by_side("even",
-                                   chart_figure(direction_chart(task, twins), 500, 330, direction_caption),
-                                   chart_figure(gap_chart(task, twins), 500, 330, gap_caption))) +
-          section("How it was made", notes_list(notes)));
+                  output::in_pairs({chart_figure(size_chart(task, twins), 500, 330, size_caption),
+                                    chart_figure(aspect_chart(task, twins), 500, 330, aspect_caption),
+                                    chart_figure(direction_chart(task, twins), 500, 330, direction_caption),
+                                    chart_figure(gap_chart(task, twins), 500, 330, gap_caption)})) +
+          section("How it was made", sentences(notes)));
 }
 
 }  // namespace app

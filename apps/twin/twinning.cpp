@@ -53,7 +53,8 @@ std::vector<TwinRecord> make_twins(const TwinTask& task, const std::filesystem::
       const Hdf5Turn turn = hdf5_turn();
       (void)write_specimen_output((folder / records[i].file).string(), specimen);
     });
-  records.resize(run_jobs(jobs, core_count(), {made, [&] { return !stopped(); }}));
+  records.resize(run_jobs(jobs, core_count(),
+                          {[&](std::size_t done, std::size_t) { made(done); }, [&] { return !stopped(); }}));
   return records;
 }
 
@@ -78,9 +79,8 @@ double optional_length(const char* option, const std::string& text) {
 void require_inclusions(const specimen::Specimen& original, const std::string& input) {
   if (!original.inclusions.empty() || specimen::count_labels(original.mask)[specimen::phase::aggregate] == 0)
     return;
-  throw Rejected(Exit::data,
-                 complaint(input, "has aggregate but tells of no inclusions", "twins need their outlines",
-                           "export its labels as a picture and give that"));
+  throw Rejected(Exit::data, input, "has aggregate but tells of no inclusions", "twins need their outlines",
+                 "export its labels as a picture and give that");
 }
 
 }  // namespace

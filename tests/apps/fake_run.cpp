@@ -151,13 +151,13 @@ FakeRun run_of(int pixels, double peak_stress, double peak_strain, double end_st
 }  // namespace
 
 RunRecord FakeRun::record() const {
-  return {specimen,
-          scene,
-          result,
-          scene_toml,
-          "3f2a9c5e7d1b8046a2c4e6f8091b3d5f7a9c1e3f5b7d9f1a3c5e7092b4d6f801",
-          "Tension of the reference specimen",
-          {}};
+  return {{specimen,
+           scene,
+           scene_toml,
+           "3f2a9c5e7d1b8046a2c4e6f8091b3d5f7a9c1e3f5b7d9f1a3c5e7092b4d6f801",
+           "Tension of the reference specimen",
+           {}},
+          result};
 }
 
 FakeRun tension_run(int pixels, int end_percent) {

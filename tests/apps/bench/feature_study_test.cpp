@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 TEST(FeatureStudy, LeavesNothingOutThatChangesResults) {
   const std::vector<FeatureCase> cases = all_features(60);
-  const auto costs = measure_features(cases, 1, {}, {});
+  const auto costs = measure_features(cases, 1, {});
   ASSERT_EQ(costs.size(), 13U);
   for (const FeatureCost& cost : costs) {
     EXPECT_TRUE(cost.agrees()) << cost.feature << ", " << cost.kinematics << ": " << cost.difference;
@@ -33,17 +33,17 @@ TEST(FeatureStudy, PointsFailInTheScenesThatLetThem) {
 TEST(FeatureStudy, SeesWhatChangesResults) {
   FeatureCase it = all_features(60).front();
   it.add = [](mpm::Plan& plan) { plan.dt *= 0.5; };
-  EXPECT_FALSE(measure_features({it}, 1, {}, {}).at(0).agrees());
+  EXPECT_FALSE(measure_features({it}, 1, {}).at(0).agrees());
   FeatureCase failing = all_features(60).at(3);
   ASSERT_EQ(failing.feature, "local damping");
   failing.add = [](mpm::Plan& plan) { plan.ramp_time *= 2; };
-  EXPECT_FALSE(measure_features({failing}, 1, {}, {}).at(0).agrees());
+  EXPECT_FALSE(measure_features({failing}, 1, {}).at(0).agrees());
 }
 
 TEST(FeatureStudy, StopsWhenItIsTold) {
   std::size_t told = 0;
   const auto costs = measure_features(
-      all_features(60), 1, [&](std::size_t done, std::size_t) { told = done; }, [&] { return told < 2; });
+      all_features(60), 1, {[&](std::size_t done, std::size_t) { told = done; }, [&] { return told < 2; }});
   EXPECT_EQ(costs.size(), 2U);
 }
 

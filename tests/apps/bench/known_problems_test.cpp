@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/apps/reproduce/tiny_study.hpp"
+#include "tests/apps/reproduce/tiny_effort.hpp"
 
 namespace known_problems_test {
 
@@ -58,7 +58,7 @@ TEST(KnownProblems, SinglePrecisionIsSingle) {
 
 // Slower loading comes nearer to the reference, which is slower still.
 TEST(ConcreteProblems, SlowerLoadingIsMoreExact) {
-  auto problem = tension_problem(test::tiny_study().square);
+  auto problem = tension_problem(test::tiny_effort().square);
   problem.methods.erase(problem.methods.begin() + 5, problem.methods.end());
   const auto results = study_errors({problem}, {});
   EXPECT_GT(results[0].reference_value, 1e6);
@@ -69,7 +69,7 @@ TEST(ConcreteProblems, SlowerLoadingIsMoreExact) {
 
 // 24 mm of 0.25 mm pixels against pixels of 0.5 mm and more.
 TEST(ConcreteProblems, FinerPixelsGiveTheModulus) {
-  auto settings = test::tiny_study().square;
+  auto settings = test::tiny_effort().square;
   std::erase_if(settings, [](const auto& setting) { return setting.first == "generate.pixel_size"; });
   auto problem = modulus_problem(settings);
   problem.methods.resize(1);

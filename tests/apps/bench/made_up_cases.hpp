@@ -31,7 +31,7 @@ inline app::bench::StabilityOutcome run_made_up(const std::vector<std::size_t>& 
   static const std::vector<app::bench::StabilityCase> cases = made_up_cases();
   std::vector<const app::bench::StabilityCase*> some;
   for (const std::size_t place : places) some.push_back(&cases[place]);
-  return app::bench::run_cases(some, workers, {}, go_on);
+  return app::bench::run_cases(some, workers, {{}, go_on});
 }
 
 }  // namespace test

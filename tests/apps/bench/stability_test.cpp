@@ -44,12 +44,12 @@ TEST(Stability, QuickCasesHold) {
       {{"density-contrast", "nothing-carries", "weibull", "checkerboard", "point-on-a-node",
         "point-beside-a-node", "step-chains", "worst-point", "stepwise", "gap-gimp", "single-precision"},
        1},
-      [&](std::size_t done, std::size_t all) {
-        EXPECT_EQ(all, 11U);
-        EXPECT_EQ(done, last + 1);
-        last = done;
-      },
-      {});
+      {[&](std::size_t done, std::size_t all) {
+         EXPECT_EQ(all, 11U);
+         EXPECT_EQ(done, last + 1);
+         last = done;
+       },
+       {}});
   EXPECT_EQ(last, 11U);
   for (const StabilityRow& row : outcome.rows)
     EXPECT_TRUE(row.finding.holds) << row.name << ": " << row.finding.seen;

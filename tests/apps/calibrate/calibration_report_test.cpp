@@ -23,7 +23,7 @@ class CalibrationWords : public testing::Test {
     found_.runs = {run(1, 1.7e6), run(2, 1.8e6)};
   }
 
-  static SeedRun run(std::uint64_t seed, double stress) { return {seed, stress, 75e-6, {0, 1e-4}, {0, 1}}; }
+  static SeedRun run(std::uint64_t seed, double stress) { return {seed, stress, 75e-6, {{0, 1e-4}, {0, 1}}}; }
 
   specimen::Specimen specimen_;
   CalibrationTask task_{{}, specimen_, {1.75e6, {}, {}}, {}};

@@ -15,10 +15,10 @@ using app::Target;
 
 /// Up to a peak and down to nothing.
 SeedRun tent(double peak_stress, double peak_strain) {
-  return {1, peak_stress, peak_strain, {0, peak_strain, 2 * peak_strain}, {0, peak_stress, 0}};
+  return {1, peak_stress, peak_strain, {{0, peak_strain, 2 * peak_strain}, {0, peak_stress, 0}}};
 }
 
-Target curve_of(const SeedRun& run) { return {{}, {}, {run.strain, run.stress}}; }
+Target curve_of(const SeedRun& run) { return {{}, {}, run.curve}; }
 
 TEST(CalibrationTarget, MisfitOfAPeakIsItsRelativeError) {
   const std::vector<SeedRun> runs{tent(1e6, 1e-4), tent(3e6, 3e-4)};
@@ -32,7 +32,7 @@ TEST(CalibrationTarget, MisfitOfACurveIsThatOfStressesOverItsPeak) {
   const SeedRun run = tent(2e6, 1e-4);
   EXPECT_NEAR(app::misfit(curve_of(run), {run}), 0, 1e-12);
   SeedRun higher = run;
-  for (double& stress : higher.stress) stress *= 1.1;
+  for (double& stress : higher.curve.stress) stress *= 1.1;
   higher.peak_stress *= 1.1;
   EXPECT_NEAR(app::misfit(curve_of(run), {higher}), 0.1 / std::sqrt(3), 1e-4);
 }

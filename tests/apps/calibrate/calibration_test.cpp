@@ -61,7 +61,7 @@ TEST_F(CalibrationOfSmall, SettingsThatWereFoundGiveTheRunsThatWereFound) {
   const mpm::Scene scene = app::build_scene(specimen_, found.settings);
   const auto again = app::run_seeds(scene, {1}, app::RunEnd::of_scene, never);
   EXPECT_EQ(again->front().peak_stress, found.runs.front().peak_stress);
-  EXPECT_EQ(again->front().stress, found.runs.front().stress);
+  EXPECT_EQ(again->front().curve.stress, found.runs.front().curve.stress);
   EXPECT_NEAR(app::mean_peak(found.runs).stress, 1.5e6, 0.02 * 1.5e6);
   EXPECT_EQ(found.settings.phases[2].tensile_scale, 9e6);  // of the ITZ, which the specimen has not
 }
@@ -72,12 +72,12 @@ TEST_F(CalibrationOfSmall, RunsOfTheResultGoPastAPeakBeyondTheScene) {
   wanted.settings.scene.loading.stop_strain = 2 * peak.strain;
   const Calibration found = app::calibrate(wanted, never);
   EXPECT_NEAR(app::mean_peak(found.runs).stress, 3 * peak.stress, 0.1 * peak.stress);
-  for (const SeedRun& run : found.runs) EXPECT_LT(1.2 * run.peak_strain, run.strain.back());
+  for (const SeedRun& run : found.runs) EXPECT_LT(1.2 * run.peak_strain, run.curve.last_strain());
 }
 
 TEST_F(CalibrationOfSmall, ComesCloseToACurve) {
   const SeedRun measured = runs_of(0.6, 1.3, 1).front();
-  CalibrationTask wanted = task({{}, {}, {measured.strain, measured.stress}}, "tensile_scale,young");
+  CalibrationTask wanted = task({{}, {}, measured.curve}, "tensile_scale,young");
   wanted.seeds = 1;
   wanted.evaluations = 12;
   const Calibration found = app::calibrate(wanted, never);
@@ -146,7 +146,7 @@ app::Evaluation evaluation(double factor) {
   return {{factor}, 0.1, {stress, 1e-4}, app::Figures::Constant(1, std::log(stress)), false};
 }
 
-SeedRun run_with(double stress) { return {1, stress, 1e-4, {}, {}}; }
+SeedRun run_with(double stress) { return {1, stress, 1e-4, {}}; }
 
 Calibration found() {
   Calibration result;

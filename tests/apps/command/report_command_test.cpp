@@ -1,4 +1,4 @@
-#include "apps/command/output_commands.hpp"
+#include "apps/command/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

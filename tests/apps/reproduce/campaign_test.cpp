@@ -6,23 +6,24 @@
 #include <atomic>
 #include <set>
 
-#include "tests/apps/reproduce/tiny_study.hpp"
+#include "tests/apps/reproduce/tiny_effort.hpp"
 
 namespace campaign_test {
 
 using namespace app::reproduce;
+using app::Watch;
 
-const CampaignWatch to_the_end{[](std::size_t, std::size_t) {}, [] { return true; }};
+const Watch to_the_end{[](std::size_t, std::size_t) {}, [] { return true; }};
 
 std::vector<double> peaks(const Reproduction& reproduction) {
   std::vector<double> peaks;
-  for (const Outcomes::Entry& entry : reproduction.outcomes.entries())
+  for (const TrialResults::Entry& entry : reproduction.outcomes.entries())
     peaks.push_back(entry.outcome.result.peak_stress);
   return peaks;
 }
 
 TEST(Campaign, RunsWhatAFigureNeedsAndNoMore) {
-  const auto reproduction = reproduce_figures(select_figures({"12"}), test::tiny_study(), 2, to_the_end);
+  const auto reproduction = reproduce_figures(select_figures({"12"}), test::tiny_effort(), 2, to_the_end);
   EXPECT_EQ(reproduction.outcomes.entries().size(), 10U);  // five values, tension and compression
   ASSERT_EQ(reproduction.figures.size(), 1U);
   EXPECT_TRUE(reproduction.figures.front().done);
@@ -31,27 +32,27 @@ TEST(Campaign, RunsWhatAFigureNeedsAndNoMore) {
 }
 
 TEST(Campaign, FiguresShareTheirRuns) {
-  const Study study = test::tiny_study();
+  const Effort effort = test::tiny_effort();
   std::set<std::string> names;
   for (const Figure* figure : select_figures({"5", "6", "12"}))
-    for (const Trial& trial : figure->trials(study)) names.insert(name_of(trial));
-  const auto reproduction = reproduce_figures(select_figures({"5", "6", "12"}), study, 2, to_the_end);
+    for (const Trial& trial : figure->trials(effort)) names.insert(name_of(trial));
+  const auto reproduction = reproduce_figures(select_figures({"5", "6", "12"}), effort, 2, to_the_end);
   EXPECT_EQ(reproduction.outcomes.entries().size(), names.size());
   EXPECT_LT(names.size(), 6U + 2U + 10U);
 }
 
 TEST(Campaign, DoesNotDependOnTheNumberOfWorkers) {
-  const auto one = reproduce_figures(select_figures({"8"}), test::tiny_study(), 1, to_the_end);
-  const auto three = reproduce_figures(select_figures({"8"}), test::tiny_study(), 3, to_the_end);
+  const auto one = reproduce_figures(select_figures({"8"}), test::tiny_effort(), 1, to_the_end);
+  const auto three = reproduce_figures(select_figures({"8"}), test::tiny_effort(), 3, to_the_end);
   EXPECT_EQ(peaks(one), peaks(three));
   EXPECT_EQ(one.figures.front().section.html, three.figures.front().section.html);
   EXPECT_EQ(one.figures.front().section.data, three.figures.front().section.data);
 }
 
 TEST(Campaign, RunsTheSecondRoundOnWhatTheFirstOneGave) {
-  const Study study = test::tiny_study();
-  const auto reproduction = reproduce_figures(select_figures({"11"}), study, 2, to_the_end);
-  EXPECT_EQ(reproduction.outcomes.entries().size(), 2U * static_cast<std::size_t>(study.specimens));
+  const Effort effort = test::tiny_effort();
+  const auto reproduction = reproduce_figures(select_figures({"11"}), effort, 2, to_the_end);
+  EXPECT_EQ(reproduction.outcomes.entries().size(), 2U * static_cast<std::size_t>(effort.specimens));
   const auto& data = reproduction.figures.front().section.data;
   const double first = data["table_1"]["peak_stress_Pa"]["mean"],
                second = data["calibrated"]["peak_stress_Pa"]["mean"];
@@ -60,9 +61,9 @@ TEST(Campaign, RunsTheSecondRoundOnWhatTheFirstOneGave) {
 
 TEST(Campaign, KeepsWhatWasDoneWhenItIsInterrupted) {
   std::atomic<int> done = 0;
-  const CampaignWatch interrupted{[&](std::size_t, std::size_t) { ++done; }, [&] { return done < 12; }};
+  const Watch interrupted{[&](std::size_t, std::size_t) { ++done; }, [&] { return done < 12; }};
   const auto reproduction =
-      reproduce_figures(select_figures({"1", "12", "13"}), test::tiny_study(), 1, interrupted);
+      reproduce_figures(select_figures({"1", "12", "13"}), test::tiny_effort(), 1, interrupted);
   EXPECT_TRUE(reproduction.interrupted);
   ASSERT_EQ(reproduction.figures.size(), 3U);
   EXPECT_TRUE(reproduction.figures[0].done);
@@ -73,7 +74,7 @@ TEST(Campaign, KeepsWhatWasDoneWhenItIsInterrupted) {
 
 TEST(Campaign, TellsHowFarItIs) {
   std::vector<std::size_t> told;
-  static_cast<void>(reproduce_figures(select_figures({"12"}), test::tiny_study(), 1,
+  static_cast<void>(reproduce_figures(select_figures({"12"}), test::tiny_effort(), 1,
                                       {[&](std::size_t done, std::size_t all) {
                                          EXPECT_EQ(all, 10U);
                                          told.push_back(done);

@@ -10,7 +10,8 @@
 namespace test {
 
 /// As if the trial had been run.
-inline void put(app::reproduce::Outcomes& outcomes, const app::reproduce::Trial& trial, mpm::Result result) {
+inline void put(app::reproduce::TrialResults& outcomes, const app::reproduce::Trial& trial,
+                mpm::Result result) {
   outcomes.expect(trial);
   auto& outcome = outcomes.of(trial);
   outcome.result = std::move(result);

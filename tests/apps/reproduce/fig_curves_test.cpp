@@ -5,7 +5,7 @@
 #include "apps/report/reference_curves.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
-#include "tests/apps/reproduce/tiny_study.hpp"
+#include "tests/apps/reproduce/tiny_effort.hpp"
 
 namespace fig_curves_test {
 
@@ -28,11 +28,11 @@ mpm::Result as_in_the_code(const std::string& scene) {
 }
 
 Section section_of(const std::function<mpm::Result(const std::string& scene)>& result) {
-  const Study study = test::tiny_study();
+  const Effort effort = test::tiny_effort();
   const Figure figure = curves_figure();
-  Outcomes outcomes;
-  for (const Trial& trial : figure.trials(study)) test::put(outcomes, trial, result(trial.scene));
-  return figure.evaluate(study, outcomes);
+  TrialResults outcomes;
+  for (const Trial& trial : figure.trials(effort)) test::put(outcomes, trial, result(trial.scene));
+  return figure.evaluate(effort, outcomes);
 }
 
 TEST(FigCurves, AgreesWithCurvesAsTheCodesHaveThem) {

@@ -5,7 +5,7 @@
 #include "apps/job/specimen_source.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
-#include "tests/apps/reproduce/tiny_study.hpp"
+#include "tests/apps/reproduce/tiny_effort.hpp"
 
 namespace fig_damage_test {
 
@@ -14,10 +14,10 @@ using testing::HasSubstr;
 
 /// Failures in compression: so many rows of pixels in tension before the peak, in shear before and after it.
 Section section_of(int tension_before, int shear_before, int shear_after) {
-  const Study study = test::tiny_study();
+  const Effort effort = test::tiny_effort();
   const Figure figure = damage_figure();
-  Outcomes outcomes;
-  for (const Trial& trial : figure.trials(study)) {
+  TrialResults outcomes;
+  for (const Trial& trial : figure.trials(effort)) {
     const specimen::Specimen specimen = app::prepare_specimen(settings_of(trial)).specimen;
     const int rows = specimen.mask.labels.rows, cols = specimen.mask.labels.cols;
     mpm::Result result = test::triangle(1e6, 1e-4);
@@ -29,7 +29,7 @@ Section section_of(int tension_before, int shear_before, int shear_after) {
     test::put(outcomes, trial, std::move(result));
     outcomes.of(trial).specimen = specimen;
   }
-  return figure.evaluate(study, outcomes);
+  return figure.evaluate(effort, outcomes);
 }
 
 TEST(FigDamage, CompressionDamageIsMostlyInTension) {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/reproduce/figure.hpp"
-#include "tests/apps/reproduce/tiny_study.hpp"
+#include "tests/apps/reproduce/tiny_effort.hpp"
 
 namespace fig_generation_test {
 
@@ -17,9 +17,9 @@ Claim claim_of(const Section& section, const std::string& id) {
 }
 
 TEST(FigGeneration, ThePapersSpecimenHasItsCounts) {
-  Study study;
-  study.specimens = 1;
-  const Section section = generation_figure().evaluate(study, Outcomes());
+  Effort effort;
+  effort.specimens = 1;
+  const Section section = generation_figure().evaluate(effort, TrialResults());
   EXPECT_EQ(section.data["aggregates"], 73);
   EXPECT_EQ(section.data["itz_points"], 2628);
   EXPECT_EQ(claim_of(section, "specimen").verdict, Verdict::agrees);
@@ -27,7 +27,7 @@ TEST(FigGeneration, ThePapersSpecimenHasItsCounts) {
 }
 
 TEST(FigGeneration, AnotherSpecimenHasNot) {
-  const Section section = generation_figure().evaluate(test::tiny_study(), Outcomes());
+  const Section section = generation_figure().evaluate(test::tiny_effort(), TrialResults());
   EXPECT_EQ(claim_of(section, "specimen").verdict, Verdict::disagrees);
   EXPECT_THAT(claim_of(section, "specimen").why, HasSubstr("Not every count"));
 }

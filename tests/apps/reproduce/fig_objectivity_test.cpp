@@ -12,16 +12,16 @@ using namespace app::reproduce;
 using testing::HasSubstr;
 using testing::Not;
 
-Study study_of(int specimens) {
-  Study study;
-  study.specimens = specimens;
-  return study;
+Effort effort_of(int specimens) {
+  Effort effort;
+  effort.specimens = specimens;
+  return effort;
 }
 
 /// Results in which the peak of either law grows by a share whenever the pixels are halved.
-Outcomes outcomes_with(const Study& study, double band_growth, double energy_growth) {
-  Outcomes outcomes;
-  for (const Trial& trial : objectivity_figure().trials(study)) {
+TrialResults outcomes_with(const Effort& effort, double band_growth, double energy_growth) {
+  TrialResults outcomes;
+  for (const Trial& trial : objectivity_figure().trials(effort)) {
     const std::string name = name_of(trial);
     const bool brittle = name.find("brittle") != std::string::npos;
     double halvings = 0;
@@ -38,19 +38,19 @@ Outcomes outcomes_with(const Study& study, double band_growth, double energy_gro
 }
 
 std::string html_with(double band_growth, double energy_growth) {
-  const Study study = study_of(2);
-  return objectivity_figure().evaluate(study, outcomes_with(study, band_growth, energy_growth)).html;
+  const Effort effort = effort_of(2);
+  return objectivity_figure().evaluate(effort, outcomes_with(effort, band_growth, energy_growth)).html;
 }
 
 TEST(FigObjectivity, RunsEveryFieldAtEveryPixelSizeWithBothLaws) {
   std::set<std::string> names;
-  for (const Trial& trial : objectivity_figure().trials(study_of(20))) names.insert(name_of(trial));
+  for (const Trial& trial : objectivity_figure().trials(effort_of(20))) names.insert(name_of(trial));
   EXPECT_EQ(names.size(), 2U * 5U * 5U);
-  EXPECT_EQ(objectivity_figure().trials(study_of(2)).size(), 2U * 5U * 2U);
+  EXPECT_EQ(objectivity_figure().trials(effort_of(2)).size(), 2U * 5U * 2U);
 }
 
 TEST(FigObjectivity, SettingsSuitTheSchema) {
-  for (const Trial& trial : objectivity_figure().trials(study_of(1)))
+  for (const Trial& trial : objectivity_figure().trials(effort_of(1)))
     EXPECT_NO_THROW((void)settings_of(trial)) << name_of(trial);
 }
 
@@ -62,8 +62,8 @@ TEST(FigObjectivity, SaysWhetherThePeakAndTheEnergySettle) {
 }
 
 TEST(FigObjectivity, GivesTheChangeOfTheFinest) {
-  const Study study = study_of(2);
-  const auto data = objectivity_figure().evaluate(study, outcomes_with(study, 0.01, 0.01)).data;
+  const Effort effort = effort_of(2);
+  const auto data = objectivity_figure().evaluate(effort, outcomes_with(effort, 0.01, 0.01)).data;
   EXPECT_NEAR(data["crack band"]["peak_change_of_the_finest"].get<double>(), 1.04 / 1.03 - 1, 1e-12);
   EXPECT_NEAR(data["at one blow"]["energy_change_of_the_finest"].get<double>(), 0.2 / 0.4 - 1, 1e-12);
   EXPECT_EQ(data["crack band"]["peak_stress_Pa"].size(), 5U);

@@ -15,12 +15,12 @@ using testing::HasSubstr;
 /// A figure's section for results that are made from the settings of each run.
 Section section_of(const Figure& figure,
                    const std::function<mpm::Result(const Trial&, const app::Settings&)>& result) {
-  Study study;
-  study.repeats = 1;
-  Outcomes outcomes;
-  for (const Trial& trial : figure.trials(study))
+  Effort effort;
+  effort.repeats = 1;
+  TrialResults outcomes;
+  for (const Trial& trial : figure.trials(effort))
     test::put(outcomes, trial, result(trial, settings_of(trial)));
-  return figure.evaluate(study, outcomes);
+  return figure.evaluate(effort, outcomes);
 }
 
 const mpm::Phase& mortar(const app::Settings& settings) { return settings.phases[1]; }
@@ -103,11 +103,11 @@ TEST(FigParameters, CohesionDependsOnCrackClosure) {
 }
 
 TEST(FigParameters, TheValueOfTable1IsTheSceneAsItStands) {
-  Study study;
+  Effort effort;
   int plain = 0;
-  for (const Trial& trial : modulus_figure().trials(study))
+  for (const Trial& trial : modulus_figure().trials(effort))
     plain += trial.settings.size() == 2;  // the two seeds
-  EXPECT_EQ(plain, 2 * study.repeats);
+  EXPECT_EQ(plain, 2 * effort.repeats);
 }
 
 TEST(FigParameters, DataHoldEveryCase) {

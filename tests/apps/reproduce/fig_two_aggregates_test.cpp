@@ -7,7 +7,7 @@
 #include "apps/job/specimen_source.hpp"
 #include "apps/reproduce/figure.hpp"
 #include "tests/apps/reproduce/fake_results.hpp"
-#include "tests/apps/reproduce/tiny_study.hpp"
+#include "tests/apps/reproduce/tiny_effort.hpp"
 
 namespace fig_two_aggregates_test {
 
@@ -20,7 +20,7 @@ using CrackHeight = std::function<double(int field)>;
 constexpr double tops = 52e-3, bottoms = 23e-3;
 
 /// As if a trial had been run: a peak, and one crack straight across.
-void put(Outcomes& outcomes, const Trial& trial, double stress, double strain, double crack_height) {
+void put(TrialResults& outcomes, const Trial& trial, double stress, double strain, double crack_height) {
   mpm::Result result = test::triangle(stress, strain);
   const specimen::Specimen specimen = app::prepare_specimen(settings_of(trial)).specimen;
   const specimen::LabelledMask& mask = specimen.mask;
@@ -35,18 +35,19 @@ void put(Outcomes& outcomes, const Trial& trial, double stress, double strain, d
 
 /// What the figure makes of fields with these peaks; calibrated runs scale the stress with their strength.
 Section section_of(double stress, double strain, const CrackHeight& crack_height) {
-  Study study = test::tiny_study();
-  study.specimens = 10;
+  Effort effort = test::tiny_effort();
+  effort.specimens = 10;
   const Figure figure = two_aggregates_figure();
-  Outcomes outcomes;
+  TrialResults outcomes;
   int field = 0;
-  for (const Trial& trial : figure.trials(study)) put(outcomes, trial, stress, strain, crack_height(++field));
+  for (const Trial& trial : figure.trials(effort))
+    put(outcomes, trial, stress, strain, crack_height(++field));
   field = 0;
-  for (const Trial& trial : figure.more_trials(study, outcomes)) {
+  for (const Trial& trial : figure.more_trials(effort, outcomes)) {
     const double share = settings_of(trial).phases[1].tensile_scale / 15e6;
     put(outcomes, trial, share * stress, share * strain, crack_height(++field));
   }
-  return figure.evaluate(study, outcomes);
+  return figure.evaluate(effort, outcomes);
 }
 
 double at_the_tops(int) { return tops; }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/apps/reproduce/tiny_study.hpp"
+#include "tests/apps/reproduce/tiny_effort.hpp"
 
 namespace reproduce_report_test {
 
@@ -14,7 +14,7 @@ using testing::Not;
 /// All figures on tiny specimens, run once for all tests.
 const Reproduction& everything() {
   static const Reproduction reproduction = reproduce_figures(
-      select_figures({}), test::tiny_study(), 2, {[](std::size_t, std::size_t) {}, [] { return true; }});
+      select_figures({}), test::tiny_effort(), 2, {[](std::size_t, std::size_t) {}, [] { return true; }});
   return reproduction;
 }
 
@@ -48,7 +48,7 @@ TEST(ReproduceReport, AsksForNothingOutsideItself) {
 
 TEST(ReproduceReport, LeavesOutAndNamesWhatWasNotDone) {
   const std::string html =
-      report_html(reproduce_figures(select_figures({"12", "1"}), test::tiny_study(), 1,
+      report_html(reproduce_figures(select_figures({"12", "1"}), test::tiny_effort(), 1,
                                     {[](std::size_t, std::size_t) {}, [] { return false; }}));
   EXPECT_THAT(html, HasSubstr("It was interrupted before the runs of these were done: Figure 12."));
   EXPECT_THAT(html, Not(HasSubstr("<h2>Figure 12.")));
@@ -76,7 +76,7 @@ TEST(ReproduceReport, CountsTheVerdicts) {
 }
 
 TEST(ReproduceReport, HasNoHeadingForClaimsThatThereAreNot) {
-  const Reproduction reproduction = reproduce_figures(select_figures({"objectivity"}), test::tiny_study(), 1,
+  const Reproduction reproduction = reproduce_figures(select_figures({"objectivity"}), test::tiny_effort(), 1,
                                                       {[](std::size_t, std::size_t) {}, [] { return true; }});
   ASSERT_TRUE(claims_of(reproduction).empty());
   EXPECT_THAT(report_html(reproduction), Not(HasSubstr("<h2>Claims</h2>")));

@@ -59,13 +59,13 @@ TEST(Trial, TellsHowToRunItAlone) {
 TEST(Trial, RunsAndForgetsItsMapsUnlessTheyAreKept) {
   const auto go_on = [] { return true; };
   Trial trial = tiny();
-  const Outcome lean = run_trial(trial, go_on);
+  const TrialResult lean = run_trial(trial, go_on);
   EXPECT_TRUE(lean.done);
   EXPECT_GT(lean.result.peak_stress, 0);
   EXPECT_EQ(lean.result.failure_strain.size(), 0);
   EXPECT_TRUE(lean.specimen.mask.labels.empty());
   trial.keep_maps = true;
-  const Outcome whole = run_trial(trial, go_on);
+  const TrialResult whole = run_trial(trial, go_on);
   EXPECT_EQ(whole.result.peak_stress, lean.result.peak_stress);
   EXPECT_EQ(whole.result.failure_strain.size(), 144);
   EXPECT_EQ(whole.specimen.mask.labels.size(), 144U);
@@ -102,8 +102,8 @@ TEST(Trial, PointsThatMoveFollowSmallStrain) {
   }
 }
 
-TEST(Outcomes, KeepMapsWhenOneOfTwoFiguresWantsThem) {
-  Outcomes outcomes;
+TEST(TrialResults, KeepMapsWhenOneOfTwoFiguresWantsThem) {
+  TrialResults outcomes;
   Trial trial = tiny();
   outcomes.expect(trial);
   EXPECT_FALSE(outcomes.has(trial));
@@ -115,16 +115,16 @@ TEST(Outcomes, KeepMapsWhenOneOfTwoFiguresWantsThem) {
   EXPECT_TRUE(outcomes.entries().front().trial.keep_maps);
 }
 
-TEST(Outcomes, StayInTheOrderInWhichTheyWereAskedFor) {
-  Outcomes outcomes;
+TEST(TrialResults, StayInTheOrderInWhichTheyWereAskedFor) {
+  TrialResults outcomes;
   for (const char* seed : {"9", "1", "5", "9"}) outcomes.expect({"tension", {{"damage.seed", seed}}, false});
   ASSERT_EQ(outcomes.entries().size(), 3U);
   EXPECT_EQ(name_of(outcomes.entries()[0].trial), "tension damage.seed=9");
   EXPECT_EQ(name_of(outcomes.entries()[2].trial), "tension damage.seed=5");
 }
 
-TEST(Outcomes, KnowWhatIsDone) {
-  Outcomes outcomes;
+TEST(TrialResults, KnowWhatIsDone) {
+  TrialResults outcomes;
   test::put(outcomes, tiny(), test::triangle(1e6, 1e-4));
   EXPECT_TRUE(outcomes.has(tiny()));
   EXPECT_EQ(outcomes.of(tiny()).result.peak_stress, 1e6);

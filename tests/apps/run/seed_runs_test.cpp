@@ -30,7 +30,7 @@ TEST(SeedRuns, AreThoseOfTheSceneWithEachSeed) {
     EXPECT_EQ((*runs)[i].seed, 3 + i);
     EXPECT_EQ((*runs)[i].peak_stress, alone.peak_stress);
     EXPECT_EQ((*runs)[i].peak_strain, alone.peak_strain);
-    EXPECT_EQ((*runs)[i].stress.back(), alone.history.back().stress);
+    EXPECT_EQ((*runs)[i].curve.stress.back(), alone.history.back().stress);
   }
   EXPECT_NE((*runs)[0].peak_stress, (*runs)[1].peak_stress);
 }
@@ -40,7 +40,7 @@ TEST(SeedRuns, PastThePeakEndEarlyWithTheSamePeak) {
   const auto whole = app::run_seeds(scene, {1}, RunEnd::of_scene, never);
   const auto brief = app::run_seeds(scene, {1}, RunEnd::past_peak, never);
   EXPECT_NEAR(brief->front().peak_stress, whole->front().peak_stress, 1e-3 * whole->front().peak_stress);
-  EXPECT_LT(brief->front().strain.back(), 0.8 * scene.loading.stop_strain);
+  EXPECT_LT(brief->front().curve.strain.back(), 0.8 * scene.loading.stop_strain);
 }
 
 TEST(SeedRuns, FindAPeakBeyondTheEndOfTheScene) {
@@ -66,15 +66,15 @@ TEST(SeedRuns, PassOnWhatWentWrong) {
 }
 
 TEST(SeedRuns, HaveStressesBetweenTheirRows) {
-  const SeedRun run{1, 0, 0, {0, 1, 3}, {0, 10, 30}};
-  EXPECT_EQ(app::stress_at(run, 0), 0);
-  EXPECT_EQ(app::stress_at(run, 0.5), 5);
-  EXPECT_EQ(app::stress_at(run, 2), 20);
-  EXPECT_EQ(app::stress_at(run, 5), 30);
+  const app::Curve curve{{0, 1, 3}, {0, 10, 30}};
+  EXPECT_EQ(app::stress_at(curve, 0), 0);
+  EXPECT_EQ(app::stress_at(curve, 0.5), 5);
+  EXPECT_EQ(app::stress_at(curve, 2), 20);
+  EXPECT_EQ(app::stress_at(curve, 5), 30);
 }
 
 TEST(SeedRuns, SpreadRoundTheirMean) {
-  const std::vector<SeedRun> runs{{1, 1, 0, {}, {}}, {2, 2, 0, {}, {}}, {3, 3, 0, {}, {}}};
+  const std::vector<SeedRun> runs{{1, 1, 0, {}}, {2, 2, 0, {}}, {3, 3, 0, {}}};
   const app::Spread spread = app::spread_of(runs, &SeedRun::peak_stress);
   EXPECT_DOUBLE_EQ(spread.mean, 2);
   EXPECT_DOUBLE_EQ(spread.deviation, 1);

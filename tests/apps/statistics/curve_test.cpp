@@ -15,11 +15,11 @@ using testing::ElementsAre;
 
 TEST(Curve, NormalisedHasItsPeakAtOne) {
   const Curve curve = normalised(test::triangle(3.5e6, 150e-6));
-  EXPECT_DOUBLE_EQ(curve.x.front(), 0);
+  EXPECT_DOUBLE_EQ(curve.strain.front(), 0);
   EXPECT_NEAR(value_at(curve, 1), 1, 1e-12);
   EXPECT_NEAR(value_at(curve, 0.5), 0.5, 1e-12);
   EXPECT_NEAR(value_at(curve, 1.5), 0.5, 1e-12);
-  EXPECT_NEAR(curve.x.back(), 3, 1e-12);
+  EXPECT_NEAR(curve.strain.back(), 3, 1e-12);
 }
 
 TEST(Curve, ValueIsOnTheLineBetweenPoints) {

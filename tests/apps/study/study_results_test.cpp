@@ -55,9 +55,9 @@ TEST_F(StudyResultsOf, KeepTheFiguresAndTheCurveWithItsPeak) {
   EXPECT_EQ(results.peak_strain()[1], 1e-4);
   EXPECT_DOUBLE_EQ(results.outcomes[1].end.strain, 3e-4);
   const Curve& curve = results.curves[1];
-  EXPECT_LE(curve.x.size(), 201U);
-  EXPECT_EQ(*std::max_element(curve.y.begin(), curve.y.end()), 3e6);
-  EXPECT_TRUE(results.curves[0].x.empty());
+  EXPECT_LE(curve.strain.size(), 201U);
+  EXPECT_EQ(*std::max_element(curve.stress.begin(), curve.stress.end()), 3e6);
+  EXPECT_TRUE(results.curves[0].empty());
 }
 
 TEST_F(StudyResultsOf, CountTheFailuresOfEachPixel) {

@@ -78,7 +78,7 @@ TEST(JobPool, StopsWhenItIsTold) {
 
 TEST(JobPool, TellsHowManyAreDone) {
   std::vector<std::size_t> told;
-  run_jobs(Jobs(3, [] {}), 2, {[&](std::size_t done) { told.push_back(done); }, {}});
+  run_jobs(Jobs(3, [] {}), 2, {[&](std::size_t done, std::size_t) { told.push_back(done); }, {}});
   EXPECT_THAT(told, ElementsAre(1, 2, 3));
 }
 

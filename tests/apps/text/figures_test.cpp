@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/text/words.hpp"
+
 namespace figures_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -72,12 +74,12 @@ TEST(Rounded, PutsADashForWhatIsNoNumber) {
 }
 
 TEST(Trimmed, DropsZerosBehindThePointOnly) {
-  EXPECT_EQ(output::trimmed(0.05), "0.05");
-  EXPECT_EQ(output::trimmed(150), "150");
-  EXPECT_EQ(output::trimmed(1.0), "1");
-  EXPECT_EQ(output::trimmed(1e-5), "1\u00A0×\u00A010⁻⁵");
-  EXPECT_EQ(output::trimmed(1.5e-5), "1.5\u00A0×\u00A010⁻⁵");
-  EXPECT_EQ(output::trimmed(0), "0");
+  EXPECT_EQ(output::concise(0.05), "0.05");
+  EXPECT_EQ(output::concise(150), "150");
+  EXPECT_EQ(output::concise(1.0), "1");
+  EXPECT_EQ(output::concise(1e-5), "1\u00A0×\u00A010⁻⁵");
+  EXPECT_EQ(output::concise(1.5e-5), "1.5\u00A0×\u00A010⁻⁵");
+  EXPECT_EQ(output::concise(0), "0");
 }
 
 TEST(WithDecimals, NeverWritesMinusZero) {
@@ -92,9 +94,9 @@ TEST(Grouped, BeginsAtFiveDigits) {
 }
 
 TEST(Listed, ReadsAsASentence) {
-  EXPECT_EQ(output::listed(std::vector<std::string>{"a"}), "a");
-  EXPECT_EQ(output::listed(std::vector<std::string>{"a", "b"}), "a and b");
-  EXPECT_EQ(output::listed(std::vector<std::string>{"a", "b", "c"}), "a, b and c");
+  EXPECT_EQ(app::listed(std::vector<std::string>{"a"}, "and"), "a");
+  EXPECT_EQ(app::listed(std::vector<std::string>{"a", "b"}, "and"), "a and b");
+  EXPECT_EQ(app::listed(std::vector<std::string>{"a", "b", "c"}, "and"), "a, b and c");
 }
 
 TEST(StrainText, IsInPercentFromOnePercentOn) {

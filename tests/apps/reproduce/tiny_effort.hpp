@@ -1,4 +1,4 @@
-/// A study that takes a moment: specimens of 24 mm with pixels of 1 mm, two coarse aggregates, and no fine
+/// An effort that takes a moment: specimens of 24 mm with pixels of 1 mm, two coarse aggregates, and no fine
 /// pixels.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace test {
 
-inline app::reproduce::Study tiny_study() {
+inline app::reproduce::Effort tiny_effort() {
   return {2,
           1,
           {{"generate.width", "24 mm"},
