@@ -150,7 +150,7 @@ class SceneCheck {
   [[nodiscard]] bool is_specimen_clear() const {
     return is_whole_ && !doubt_.is_about_specimen() &&
            std::none_of(complaints_.begin(), complaints_.end(), [](const Complaint& one) {
-             return is_of_specimen(one.field) || one.field == "solver.points_per_cell";
+             return is_of_specimen(one.field) || one.field == "solver.cell";
            });
   }
 

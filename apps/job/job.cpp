@@ -142,7 +142,7 @@ std::vector<std::string> crop_to_cells(specimen::Specimen& specimen, int points_
   const int right = old.cols % points_per_cell;
   if (top == 0 && right == 0) return {};
   if (top == old.rows || right == old.cols)
-    throw Rejected(Exit::data, "solver.points_per_cell", std::to_string(points_per_cell),
+    throw Rejected(Exit::data, "solver.cell", fmt::format("{0} x {0}", points_per_cell),
                    fmt::format("the specimen has only {} x {} pixels", old.cols, old.rows),
                    "use smaller pixels");
   specimen::Raster<std::uint8_t> cropped(old.rows - top, old.cols - right);

@@ -109,8 +109,9 @@ std::vector<std::string> every_key(const Settings& settings) {
 }
 
 std::optional<Field> find_field(std::string_view key) {
-  for (const Field& field : fields())
-    if (field.key == key) return field;
+  for (const std::vector<Field>* table : {&fields(), &former_fields()})
+    for (const Field& field : *table)
+      if (field.key == key) return field;
   const std::size_t first = key.find('.');
   const std::size_t last = key.rfind('.');
   if (group_of(key) != "phases" || first == last) return std::nullopt;

@@ -50,6 +50,9 @@ struct Group {
 /// Every setting but those of the phases, group by group.
 [[nodiscard]] const std::vector<Field>& fields();
 
+/// Settings of earlier versions under the names that they had then: read, but never written.
+[[nodiscard]] const std::vector<Field>& former_fields();
+
 /// Those of a table; of phases none.
 [[nodiscard]] std::vector<Field> fields_of(std::string_view group);
 

@@ -204,6 +204,28 @@ std::vector<Field> damage_fields() {
   };
 }
 
+/// One word for two members of a scene.
+Field cell_field() {
+  const WordCodec words{{"pixel", "1 x 1", "2 x 2", "3 x 3", "4 x 4"}};
+  return {"solver.cell",
+          "cell of the grid: pixel = one pixel, integrated in full; k x k = that many pixels, each a point",
+          words.form(),
+          [words](Settings& settings, const Value& value) {
+            const std::string word = words.read(value);
+            settings.scene.pixel_cells = word == words.words.front();
+            settings.scene.points_per_cell = settings.scene.pixel_cells ? 1 : word.front() - '0';
+          },
+          [words](const Settings& settings) {
+            const auto k = static_cast<std::size_t>(settings.scene.points_per_cell);
+            return words.write(words.words.at(settings.scene.pixel_cells ? 0 : k));
+          }};
+}
+
+Field points_per_cell_field() {
+  return field("solver.points_per_cell", IntegerCodec<>{between(1, 4)}, "now solver.cell",
+               MEMBER(scene.points_per_cell));
+}
+
 std::vector<Field> solver_fields() {
   using mpm::Kinematics;
   using mpm::Plane;
@@ -220,8 +242,7 @@ std::vector<Field> solver_fields() {
             "points that keep their place, or move with the specimen; auto = move once they need to",
             MEMBER(scene.kinematics)),
       field("solver.plane", plane, "plane strain or plane stress", MEMBER(scene.plane)),
-      field("solver.points_per_cell", IntegerCodec<>{between(1, 4)},
-            "pixels along an edge of a cell of the grid", MEMBER(scene.points_per_cell)),
+      cell_field(),
       field("solver.cfl", ratio(up_to(0, 1)), "time step over the time a wave needs to cross a cell",
             MEMBER(scene.cfl)),
       field("solver.local_damping", ratio(below(0, 1)),
@@ -343,6 +364,11 @@ const std::vector<Field>& fields() {
       for (Field& one : part()) table.push_back(std::move(one));
     return table;
   }();
+  return all;
+}
+
+const std::vector<Field>& former_fields() {
+  static const std::vector<Field> all(1, points_per_cell_field());
   return all;
 }
 

@@ -103,6 +103,41 @@ MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real
   return suspect;
 }
 
+/// Stiffness of a pixel cell against bending, per unit of the difference of the strains of its edges. With it
+/// a square cell bends as a beam does, and does not lock when the material is nearly incompressible.
+/// Source: Belytschko, Bindeman, Comput. Methods Appl. Mech. Eng. 88 (1991), ASQBI: E / 12 in plane stress,
+/// E / (1 - nu^2) / 12 in plane strain.
+template <class Real, bool one_poisson, bool closure>
+MPM_INLINE Real bending_stiffness(const CellRow<Real>& row, int i) {
+  Real k;
+  if constexpr (one_poisson) {
+    k = row.stiffness[i] * row.unit_bending;
+  } else {
+    const Real lame = row.stiffness[i];
+    const Real shear = row.shear[i];
+    const Real ratio = lateral_ratio(lame, shear);
+    k = (lame + 2 * shear) * (1 - ratio * ratio) * Real(1.0 / 12);
+  }
+  if constexpr (closure) k *= 1 - Real(row.cracked[i]);
+  return k;
+}
+
+/// Adds the forces against the two bending modes of a pixel cell, in which its middle is not strained.
+template <class Real, bool one_poisson, bool closure>
+MPM_INLINE void resist_bending(const CellRow<Real>& row, const EdgeStrains<Real>& edges, int i) {
+  const Real k = bending_stiffness<Real, one_poisson, closure>(row, i);
+  const Real fx = k * (edges.x_of_ux[1] - edges.x_of_ux[0]);
+  const Real fy = k * (edges.x_of_uy[1] - edges.x_of_uy[0]);
+  row.lower.left_x[i] -= fx;
+  row.lower.right_x[i] += fx;
+  row.upper.left_x[i] += fx;
+  row.upper.right_x[i] -= fx;
+  row.lower.left_y[i] -= fy;
+  row.lower.right_y[i] += fy;
+  row.upper.left_y[i] += fy;
+  row.upper.right_y[i] -= fy;
+}
+
 /// Sum over the K rows or columns with the weight of the far and of the near edge.
 template <int K, class Real>
 struct EdgeSums {
@@ -120,7 +155,7 @@ MPM_INLINE EdgeSums<K, Real> edge_sums(const Real (&s)[K]) {
 }
 
 /// One cell: strains, stresses, suspicion and forces of its K x K points.
-template <class Real, int K, bool one_poisson, Check check, bool closure>
+template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel>
 MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real>& row, int i) {
   const EdgeStrains<Real> edges = edge_strains<Real>(row, i);
   CellSums<Real, K> sums{};
@@ -141,18 +176,19 @@ MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real>& row, int i) {
   row.lower.right_y[i] = yy.far - xy_row.near;
   row.upper.left_y[i] = xy_row.far - yy.near;
   row.upper.right_y[i] = -yy.far - xy_row.far;
+  if constexpr (pixel) resist_bending<Real, one_poisson, closure>(row, edges, i);
   if constexpr (check != Check::none) row.suspects[i] = suspect;
   return suspect;
 }
 
 // The body of a vector loop is one call: what it declares itself would be kept in memory, lane by lane.
-template <class Real, int K, bool one_poisson, Check check, bool closure>
+template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel>
 Flag<Real> sweep_cells(const CellRow<Real>& row) {
   const CellRow<Real> in = row;
   const int n = in.cells & ~(lane_cells - 1);
   Flag<Real> any = 0;
 #pragma omp simd reduction(| : any)
-  for (int i = 0; i < n; ++i) any |= sweep_cell<Real, K, one_poisson, check, closure>(in, i);
+  for (int i = 0; i < n; ++i) any |= sweep_cell<Real, K, one_poisson, check, closure, pixel>(in, i);
   return any;
 }
 
@@ -209,31 +245,39 @@ NodeSums sweep_nodes(const NodeRow<Real>& row) {
   return {momentum_rate, force_work, damped, velocity};
 }
 
-template <class Real, int K, bool one_poisson>
+template <class Real, int K, bool one_poisson, bool pixel>
 SweepCells<Real> cells_by_check(const Features& f) {
-  if (f.crack_closure) return sweep_cells<Real, K, one_poisson, Check::tension_and_shear, true>;
+  if (f.crack_closure) return sweep_cells<Real, K, one_poisson, Check::tension_and_shear, true, pixel>;
   switch (f.check) {
     case Check::none:
-      return sweep_cells<Real, K, one_poisson, Check::none, false>;
+      return sweep_cells<Real, K, one_poisson, Check::none, false, pixel>;
     case Check::tension:
-      return sweep_cells<Real, K, one_poisson, Check::tension, false>;
+      return sweep_cells<Real, K, one_poisson, Check::tension, false, pixel>;
     case Check::tension_and_shear:
       break;
   }
-  return sweep_cells<Real, K, one_poisson, Check::tension_and_shear, false>;
+  return sweep_cells<Real, K, one_poisson, Check::tension_and_shear, false, pixel>;
+}
+
+/// The usual cells, of one pixel or of 2 x 2 points, have kernels for every need.
+template <class Real, int K, bool pixel>
+SweepCells<Real> usual_cells(const Features& f) {
+  return f.one_poisson_ratio ? cells_by_check<Real, K, true, pixel>(f)
+                             : cells_by_check<Real, K, false, pixel>(f);
 }
 
 /// The rare numbers of points a cell have the general kernels only: a longer list would be compiled for
 /// nobody.
 template <class Real, int K>
 SweepCells<Real> general_cells(const Features& f) {
-  if (f.crack_closure) return sweep_cells<Real, K, false, Check::tension_and_shear, true>;
-  if (f.check == Check::none) return sweep_cells<Real, K, false, Check::none, false>;
-  return sweep_cells<Real, K, false, Check::tension_and_shear, false>;
+  if (f.crack_closure) return sweep_cells<Real, K, false, Check::tension_and_shear, true, false>;
+  if (f.check == Check::none) return sweep_cells<Real, K, false, Check::none, false, false>;
+  return sweep_cells<Real, K, false, Check::tension_and_shear, false, false>;
 }
 
 template <class Real>
 SweepCells<Real> cells(const Features& f) {
+  if (f.pixel_cells) return usual_cells<Real, 1, true>(f);
   switch (f.points_per_cell) {
     case 1:
       return general_cells<Real, 1>(f);
@@ -242,7 +286,7 @@ SweepCells<Real> cells(const Features& f) {
     case 4:
       return general_cells<Real, 4>(f);
     default:
-      return f.one_poisson_ratio ? cells_by_check<Real, 2, true>(f) : cells_by_check<Real, 2, false>(f);
+      return usual_cells<Real, 2, false>(f);
   }
 }
 

@@ -51,8 +51,9 @@ struct CellRow {
   const float* cracked;   ///< share of its tensile strength that a point has lost [-]
   Real unilateral;        ///< 1: CrackClosure::unilateral, 0: clipped
   Real unit_axial, unit_lateral, unit_shear;  ///< stiffness of a phase with E = 1 [-]
-  NodeForces<Real> lower, upper;              ///< out
-  Flag<Real>* suspects;                       ///< out: nonzero for a cell in which a point may fail
+  Real unit_bending;  ///< stiffness of a pixel cell against bending with E = 1 [-]; otherwise unused
+  NodeForces<Real> lower, upper;  ///< out
+  Flag<Real>* suspects;           ///< out: nonzero for a cell in which a point may fail
 };
 
 /// What the sweep over a row of nodes reads and writes.
@@ -83,6 +84,7 @@ enum class Check { none, tension, tension_and_shear };
 
 struct Features {
   int points_per_cell = 2;         ///< along an edge
+  bool pixel_cells = false;        ///< the one point of a cell stands for all of it
   bool one_poisson_ratio = false;  ///< all phases share one
   Check check = Check::tension_and_shear;
   bool crack_closure = false;

@@ -193,7 +193,7 @@ class Catalogue {
         plan.moving.optional.crush = wanted == Check::tension_and_shear;
       });
     };
-    const bool usual = scene_.points_per_cell == 2 || moving_;
+    const bool usual = scene_.points_per_cell == 2 || scene_.pixel_cells || moving_;
     add("tension test and its threshold", check != Check::none,
         check != Check::none ? "a phase can fail" : "no phase in the specimen can fail", threshold_,
         check == Check::none ? std::optional(with_check(usual ? Check::tension : Check::tension_and_shear))

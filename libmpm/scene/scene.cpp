@@ -20,11 +20,18 @@ void check_picture(Faults& faults, const Scene& scene) {
   faults.require(rows > 0 && cols > 0, "specimen.labels", shape, "must hold at least one cell");
   faults.require(positive(scene.pixel_size), "specimen.pixel_size", text(scene.pixel_size, "m"),
                  "must be > 0");
-  if (faults.require(k >= 1 && k <= 4, "solver.points_per_cell", std::to_string(k), "must be 1, 2, 3 or 4"))
+  if (scene.pixel_cells) {
+    faults.require(k == 1, "solver.cell", "pixel, with " + std::to_string(k) + " points along an edge",
+                   "a pixel cell has one point");
+    faults.require(scene.kinematics == Kinematics::small_strain, "solver.cell", "pixel",
+                   "must be k x k points for points that move", "choose \"2 x 2\"");
+  }
+  if (faults.require(k >= 1 && k <= 4, "solver.cell", std::to_string(k) + " points along an edge",
+                     "must be 1, 2, 3 or 4"))
     faults.require(rows % k == 0 && cols % k == 0, "specimen.labels", shape,
                    "width and height must be whole numbers of cells of " + std::to_string(k) + " x " +
                        std::to_string(k) + " pixels",
-                   "crop or resample the picture, or change solver.points_per_cell");
+                   "crop or resample the picture, or change solver.cell");
 }
 
 /// Labels that some pixel or extra point has.

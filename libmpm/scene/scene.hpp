@@ -129,6 +129,9 @@ struct Scene {
 
   Plane plane = Plane::strain;
   int points_per_cell = 2;  ///< along an edge of a cell: 1, 2, 3, 4; 2 means 2 x 2 points a cell
+  /// One pixel is one cell with one state, integrated in full: it cracks through as a whole, and a layer is
+  /// exact whatever its thickness. Needs points_per_cell = 1 and small strain.
+  bool pixel_cells = false;
   Kinematics kinematics = Kinematics::small_strain;
   Motion motion;
   Handover handover;

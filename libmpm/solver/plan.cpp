@@ -36,17 +36,18 @@ kernels::Check check_needed(const std::vector<const Phase*>& phases) {
 kernels::Features features_needed(const Scene& scene, const std::vector<const Phase*>& phases) {
   kernels::Features features;
   features.points_per_cell = scene.points_per_cell;
-  // Kernels for one Poisson's ratio exist for the usual 2 x 2 points a cell.
-  features.one_poisson_ratio =
-      scene.points_per_cell == 2 && std::all_of(phases.begin(), phases.end(), [&](const Phase* phase) {
-        return phase->poisson == phases.front()->poisson;
-      });
+  features.pixel_cells = scene.pixel_cells;
+  // Kernels for one Poisson's ratio exist for pixel cells and for the usual 2 x 2 points a cell.
+  const bool usual = scene.pixel_cells || scene.points_per_cell == 2;
+  features.one_poisson_ratio = usual && std::all_of(phases.begin(), phases.end(), [&](const Phase* phase) {
+                                 return phase->poisson == phases.front()->poisson;
+                               });
   features.check = check_needed(phases);
   // A crack that never opens needs no closing.
   features.crack_closure =
       scene.damage.crack_closure != CrackClosure::off && features.check != kernels::Check::none;
-  // Kernels for one check alone exist for the usual 2 x 2 points a cell, without cracks that close.
-  if (features.check == kernels::Check::tension && (scene.points_per_cell != 2 || features.crack_closure))
+  // Kernels for one check alone exist for the same cells, without cracks that close.
+  if (features.check == kernels::Check::tension && (!usual || features.crack_closure))
     features.check = kernels::Check::tension_and_shear;
   features.damping = scene.local_damping > 0;
   return features;

@@ -35,6 +35,16 @@ void add_point(CellMatrix& cell, const Eigen::Matrix3d& c, double xi, double eta
   cell += area * b.transpose() * c * b;
 }
 
+/// A pixel cell: its middle as a point, and its bending.
+void add_bending(CellMatrix& cell, const Eigen::Matrix3d& c, double area) {
+  const Eigen::Vector4d mode(1, -1, -1, 1);
+  const double k = area * bending_stiffness(c);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      for (int component = 0; component < 2; ++component)
+        cell(2 * i + component, 2 * j + component) += k * mode(i) * mode(j);
+}
+
 /// Stiffness of the cells of intact points, row by row from below.
 std::vector<CellMatrix> cell_matrices(const Scene& scene, const Plan& plan) {
   std::vector<CellMatrix> cells(
@@ -49,9 +59,12 @@ std::vector<CellMatrix> cell_matrices(const Scene& scene, const Plan& plan) {
   for (int row = 0; row < rows; ++row) {
     const int from_below = rows - 1 - row;
     for (int col = 0; col < scene.labels.cols(); ++col)
-      if (const auto& phase = scene.phases[scene.labels(row, col)])
-        add_point(cell_at(from_below / k, col / k), stiffness(*phase, scene.plane), (col % k + 0.5) / k,
-                  (from_below % k + 0.5) / k, 1.0 / (k * k * count(row, col)));
+      if (const auto& phase = scene.phases[scene.labels(row, col)]) {
+        CellMatrix& cell = cell_at(from_below / k, col / k);
+        const Eigen::Matrix3d c = stiffness(*phase, scene.plane);
+        add_point(cell, c, (col % k + 0.5) / k, (from_below % k + 0.5) / k, 1.0 / (k * k * count(row, col)));
+        if (scene.pixel_cells) add_bending(cell, c, 1.0 / count(row, col));
+      }
   }
   const ExtraPoints extra = make_extra_points(scene, plan);
   for (std::size_t row = 0; row + 1 < extra.row_begin.size(); ++row)

@@ -67,7 +67,8 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
   const Response response = respond(before, elastic.now, law_);
   if (!response.changed) return false;
   row_released_[static_cast<std::size_t>(row)] +=
-      kind.share * released_energy(before, response.point, elastic);
+      kind.share * (released_energy(before, response.point, elastic) +
+                    released_bending(before, response.point, row, cell));
   write_point(points_, at, scene_, plan_, kind, response.point);
   count_dead(band, before, response.point);
   if (response.failure != FailureMode::none) {
@@ -107,6 +108,22 @@ double LatticeSolver<Real>::released_energy(const PointState& before, const Poin
     return stress_power(*point.phase, scene_.plane, carried_stress(point, elastic.now, law_), elastic.before);
   };
   return 0.5 * (power(before) - power(after)) * scene_.pixel_size * scene_.pixel_size;
+}
+
+/// The same of the bending of a pixel cell [J/m].
+template <class Real>
+double LatticeSolver<Real>::released_bending(const PointState& before, const PointState& after, int row,
+                                             int cell) const {
+  if (!scene_.pixel_cells) return 0;
+  const CellDisplacement now = displacement(row, cell);
+  const CellDisplacement then = displacement_before(row, cell);
+  const auto product = [&](const double(&a)[4], const double(&b)[4]) {
+    return bending(a, plan_.cell_size) * bending(b, plan_.cell_size);
+  };
+  const auto held = [](const PointState& point) { return point.kept * (1 - point.cracked); };
+  const double k = bending_stiffness(stiffness(*before.phase, scene_.plane));
+  return 0.5 * k * (held(before) - held(after)) * (product(now.ux, then.ux) + product(now.uy, then.uy)) *
+         scene_.pixel_size * scene_.pixel_size;
 }
 
 template <class Real>

@@ -128,6 +128,11 @@ CellPoint make_point(const Scene& scene, const Plan& plan, std::size_t index, do
 
 }  // namespace
 
+double bending_stiffness(const Eigen::Matrix3d& stiffness) {
+  const double ratio = stiffness(0, 1) / stiffness(0, 0);
+  return stiffness(0, 0) * (1 - ratio * ratio) / 12;
+}
+
 Stress<double> stress_in_cell(const Eigen::Matrix3d& stiffness, const CellDisplacement& u, double xi,
                               double eta, double cell_size) {
   const auto along_x = [&](const double(&v)[4]) { return (1 - eta) * (v[1] - v[0]) + eta * (v[3] - v[2]); };

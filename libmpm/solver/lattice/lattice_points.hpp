@@ -60,6 +60,15 @@ struct CellDisplacement {
   double ux[4], uy[4];
 };
 
+/// Stiffness of a pixel cell against each of its two bending modes, per unit of the difference of the strains
+/// of opposite edges [Pa]; see the kernel.
+[[nodiscard]] double bending_stiffness(const Eigen::Matrix3d& stiffness);
+
+/// Amplitude of the bending mode of a component of the displacement, over the size of the cell [-].
+[[nodiscard]] inline double bending(const double (&u)[4], double cell_size) {
+  return (u[0] - u[1] - u[2] + u[3]) / cell_size;
+}
+
 /// Stress of a phase at a place of a cell under the displacements of its nodes [Pa]. xi, eta in [0, 1].
 [[nodiscard]] Stress<double> stress_in_cell(const Eigen::Matrix3d& stiffness, const CellDisplacement& u,
                                             double xi, double eta, double cell_size);

@@ -187,6 +187,7 @@ void LatticeSolver<Real>::sweep_cell_row(Band& band, int row, ForceBuffer& lower
       .unit_axial = static_cast<Real>(unit_stiffness_(0, 0)),
       .unit_lateral = static_cast<Real>(unit_stiffness_(0, 1)),
       .unit_shear = static_cast<Real>(unit_stiffness_(2, 2)),
+      .unit_bending = static_cast<Real>(bending_stiffness(unit_stiffness_)),
       .lower = lower.forces(),
       .upper = upper.forces(),
       .suspects = band.suspects.data(),

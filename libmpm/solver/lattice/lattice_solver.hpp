@@ -144,6 +144,8 @@ class LatticeSolver {
   void record_failure(const Pixel& pixel, FailureMode mode, double strain);
   [[nodiscard]] double released_energy(const PointState& before, const PointState& after,
                                        const StepStress& elastic) const;
+  [[nodiscard]] double released_bending(const PointState& before, const PointState& after, int row,
+                                        int cell) const;
   void sweep_extra_points(Band& band, int row, const kernels::NodeForces<Real>& lower,
                           const kernels::NodeForces<Real>& upper, double strain);
   void fail_extra_point(Band& band, int row, CellPoint& point, const Stress<double>& elastic, double strain);

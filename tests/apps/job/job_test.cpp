@@ -144,7 +144,7 @@ TEST(CropToCells, RefusesASpecimenSmallerThanACell) {
     FAIL();
   } catch (const app::Rejected& rejected) {
     EXPECT_STREQ(rejected.what(),
-                 "solver.points_per_cell: 4; the specimen has only 2 x 2 pixels; use smaller pixels");
+                 "solver.cell: 4 x 4; the specimen has only 2 x 2 pixels; use smaller pixels");
   }
 }
 

@@ -66,7 +66,7 @@ TEST(StudyPoints, OfAGridTheLastParameterChangesFirst) {
 
 TEST(StudyPoints, LevelsAreSampledEvenlyAndRangesInProportion) {
   const StudyPlan plan = plan_of(
-      "sampling = \"sobol\"\nsamples = 31\n[vary]\n\"solver.points_per_cell\" = [1, 2]\n"
+      "sampling = \"sobol\"\nsamples = 31\n[vary]\n\"generate.seed\" = [1, 2]\n"
       "\"loading.velocity\" = {low = \"1 m/s\", high = \"3 m/s\"}\n");
   const auto points = points_of(plan);
   EXPECT_THAT(points[0], ElementsAre(Value{std::int64_t{2}}, Value{std::string("2 m/s")}));

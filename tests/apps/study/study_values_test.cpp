@@ -35,7 +35,7 @@ TEST(StudyValues, RangesGiveFiveDigitsWithinTheirEnds) {
 }
 
 TEST(StudyValues, LevelsShareThePlaces) {
-  const StudyParameter levels = parameter("\"solver.points_per_cell\" = [1, 2, 3]");
+  const StudyParameter levels = parameter("\"generate.seed\" = [1, 2, 3]");
   EXPECT_EQ(value_at_place(levels, 0.33), Value{std::int64_t{1}});
   EXPECT_EQ(value_at_place(levels, 0.34), Value{std::int64_t{2}});
   EXPECT_EQ(value_at_place(levels, 0.999), Value{std::int64_t{3}});

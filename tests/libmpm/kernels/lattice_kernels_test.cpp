@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -76,6 +77,7 @@ struct Sweep {
           .unit_axial = static_cast<Real>(c(0, 0)),
           .unit_lateral = static_cast<Real>(c(0, 1)),
           .unit_shear = static_cast<Real>(c(2, 2)),
+          .unit_bending = static_cast<Real>(mpm::bending_stiffness(c)),
           .lower = {buffers[0].data(), buffers[1].data(), buffers[2].data(), buffers[3].data()},
           .upper = {buffers[4].data(), buffers[5].data(), buffers[6].data(), buffers[7].data()},
           .suspects = suspects.data()};
@@ -140,6 +142,76 @@ TYPED_TEST(Cells, PassThePatchTestForAnyNumberOfPoints) {
   }
 }
 
+Scene with_pixel_cells(Scene scene) {
+  scene.points_per_cell = 1;
+  scene.pixel_cells = true;
+  return scene;
+}
+
+TYPED_TEST(Cells, OfOnePixelPassThePatchTest) {
+  for (const auto* kernels : mpm::available_kernels()) {
+    for (const double poisson : {0.2, 0.4999}) {
+      Scene scene = with_pixel_cells(samples::unbreakable(samples::mortar_block(24, 18)));
+      scene.phases[2]->poisson = poisson;
+      Sweep<TypeParam> sweep(scene);
+      sweep.displace([](double x, double y) { return std::pair{2e-4 * x - 1e-4 * y, 3e-4 * x + 1e-4 * y}; });
+      sweep.run(*kernels);
+      const double yy =
+          (mpm::stiffness(*scene.phases[2], scene.plane) * Eigen::Vector3d(2e-4, 1e-4, 2e-4))(1);
+      const double expected = yy * scene.width();
+      const double round_off = sizeof(TypeParam) == 4 ? 1e-5 : 1e-12;
+      EXPECT_NEAR(sweep.row_force(0), expected, round_off * expected) << kernels->name;
+      EXPECT_LT(sweep.largest_inner_force(), round_off * expected) << kernels->name;
+    }
+  }
+}
+
+/// Energy of a block of one cell, bent: ux = a x y / h from its middle.   @return over a^2 [Pa].
+template <class Real>
+double bending_energy(const Scene& scene, const Kernels& kernels) {
+  Sweep<Real> sweep(scene);
+  const double h = scene.pixel_size;
+  const double a = 1e-7;
+  sweep.displace([&](double x, double y) { return std::pair{a * (x / h - 0.5) * (y / h - 0.5), 0.0}; });
+  sweep.run(kernels);
+  double twice = 0;
+  for (std::size_t i = 0; i < sweep.fx.size(); ++i) twice -= sweep.fx[i] * sweep.grid.ux[i];
+  return 0.5 * twice / (a * a);
+}
+
+// A square under pure bending stores h^2 / 24 E' kappa^2 h^2, E' = E / (1 - nu^2) in plane strain.
+TYPED_TEST(Cells, OfOnePixelBendAsABeam) {
+  for (const auto* kernels : mpm::available_kernels())
+    for (const mpm::Plane plane : {mpm::Plane::strain, mpm::Plane::stress})
+      for (const double poisson : {0.0, 0.3, 0.4999}) {
+        Scene scene = with_pixel_cells(samples::unbreakable(samples::mortar_block(1, 1)));
+        scene.plane = plane;
+        scene.phases[2]->poisson = poisson;
+        const double young = scene.phases[2]->young;
+        const double modulus = plane == mpm::Plane::strain ? young / (1 - poisson * poisson) : young;
+        const double expected = modulus / 24;
+        EXPECT_NEAR(bending_energy<TypeParam>(scene, *kernels), expected, 1e-4 * expected)
+            << kernels->name << " " << poisson;
+      }
+}
+
+TYPED_TEST(Cells, OfOnePixelAndTwoPoissonRatiosBendAlike) {
+  Scene scene = with_pixel_cells(samples::unbreakable(samples::mortar_block(1, 1)));
+  const double alone = bending_energy<TypeParam>(scene, *mpm::available_kernels().front());
+  scene.labels = mpm::PixelField<std::uint8_t>::Constant(1, 2, 2);
+  scene.labels(0, 1) = samples::aggregate;
+  scene.phases[samples::aggregate]->poisson = 0.1;
+  EXPECT_FALSE(mpm::plan(scene).features.one_poisson_ratio);
+  Sweep<TypeParam> sweep(scene);
+  const double h = scene.pixel_size;
+  sweep.displace([&](double x, double y) {
+    return std::pair{x < 1.5 * h ? 1e-7 * (x / h - 0.5) * (y / h - 0.5) : 0.0, 0.0};
+  });
+  sweep.run(*mpm::available_kernels().front());
+  const auto& u = sweep.grid.ux;
+  EXPECT_NEAR(-sweep.fx[0] * u[0] * 1e14, alone / 2, 1e-4 * alone);  // of the node that only the first has
+}
+
 // Layers along pixel edges, stress the same in each: exact to round-off, since no cell is cut by the
 // interface.
 TYPED_TEST(Cells, KeepLayersInBalance) {
@@ -154,6 +226,30 @@ TYPED_TEST(Cells, KeepLayersInBalance) {
   });
   sweep.run(*mpm::available_kernels().front());
   EXPECT_LT(sweep.largest_inner_force(), (sizeof(TypeParam) == 4 ? 1e-5 : 1e-12) * sweep.row_force(0));
+}
+
+// A layer of 1, 2 or 3 pixels at any place, of half the stiffness: the stress is that of Reuss.
+TYPED_TEST(Cells, OfOnePixelKeepThinLayersInBalance) {
+  for (int thickness = 1; thickness <= 3; ++thickness)
+    for (int offset = 3; offset < 7; ++offset) {
+      Scene scene = with_pixel_cells(samples::unbreakable(samples::mortar_block(12, 8)));
+      for (auto& phase : scene.phases)
+        if (phase) phase->poisson = 0;
+      scene.labels.middleRows(offset, thickness).setConstant(samples::aggregate);
+      scene.phases[samples::aggregate]->young = 0.5 * scene.phases[2]->young;
+      const double d = scene.pixel_size;
+      const double below = (12 - offset - thickness) * d;
+      Sweep<TypeParam> sweep(scene);
+      sweep.displace([&](double /*x*/, double y) {
+        const double inside = std::clamp(y - below, 0.0, thickness * d);
+        return std::pair{0.0, 1e-4 * (y + inside)};
+      });
+      sweep.run(*mpm::available_kernels().front());
+      const double round_off = sizeof(TypeParam) == 4 ? 1e-5 : 1e-11;
+      EXPECT_NEAR(sweep.row_force(0), 1e-4 * scene.phases[2]->young * scene.width(),
+                  round_off * sweep.row_force(0));
+      EXPECT_LT(sweep.largest_inner_force(), round_off * sweep.row_force(0)) << thickness << " " << offset;
+    }
 }
 
 TYPED_TEST(Cells, AreInBalanceUnderARigidMotion) {

@@ -30,7 +30,7 @@ TEST(Validate, AcceptsTheSample) {
 TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
   EXPECT_EQ(message_after([](Scene& s) { s.labels.setConstant(5, 4, 2); }),
             "specimen.labels: 4 x 5 pixels; width and height must be whole numbers of cells of 2 x 2 pixels; "
-            "crop or resample the picture, or change solver.points_per_cell");
+            "crop or resample the picture, or change solver.cell");
   EXPECT_EQ(message_after([](Scene& s) { s.labels.setConstant(4, 4, 0); }),
             "specimen.labels: all void; at least one pixel must be of a phase that carries load");
   EXPECT_EQ(message_after([](Scene& s) { s.labels(0, 0) = 9; }),
@@ -39,7 +39,7 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
             "loading.velocity: -0.05 m/s; must be > 0; loading.direction sets the direction");
   EXPECT_EQ(message_after([](Scene& s) { s.cfl = 1.05; }), "solver.cfl: 1.05; must lie in (0, 1]");
   EXPECT_EQ(message_after([](Scene& s) { s.points_per_cell = 5; }),
-            "solver.points_per_cell: 5; must be 1, 2, 3 or 4");
+            "solver.cell: 5 points along an edge; must be 1, 2, 3 or 4");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.stop_drop = 1.5; }),
             "loading.stop_drop: 1.5; must lie in (0, 1)");
   EXPECT_EQ(message_after([](Scene& s) { s.threads = -1; }),
