@@ -33,6 +33,16 @@ const kernels::Kernels& chosen_kernels(std::string_view name) {
   throw Error("solver.instruction_set", std::string(name), "this processor supports " + names);
 }
 
+const equilibrium::Kernels& chosen_equilibrium_kernels(std::string_view name) {
+  const kernels::Kernels& same = chosen_kernels(name);
+#ifdef MPM_WIDE_KERNELS
+  if (&same == &kernels::avx512) return equilibrium::avx512;
+  if (&same == &kernels::avx2) return equilibrium::avx2;
+#endif
+  (void)same;
+  return equilibrium::baseline;
+}
+
 const moving::Kernels& chosen_moving_kernels(std::string_view name) {
   const kernels::Kernels& same = chosen_kernels(name);
 #ifdef MPM_WIDE_KERNELS

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libmpm/kernels/equilibrium_kernels.hpp"
 #include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/kernels/moving_kernels.hpp"
 
@@ -42,6 +43,9 @@ class FlushToZero {
 /// The kernels of that name, or the fastest ones for an empty name.
 /// @throws Error if this processor does not support them.
 [[nodiscard]] const kernels::Kernels& chosen_kernels(std::string_view name);
+
+/// The kernels of equilibrium of the same instruction set.
+[[nodiscard]] const equilibrium::Kernels& chosen_equilibrium_kernels(std::string_view name);
 
 /// The kernels of moving points of the same instruction set.
 [[nodiscard]] const moving::Kernels& chosen_moving_kernels(std::string_view name);

@@ -174,7 +174,8 @@ class Run {
 
   /// Before the ramp ends the waves of the start are no peak.
   [[nodiscard]] bool has_dropped(const HistoryRow& row) const {
-    return scene_.loading.stop_drop && row.time > plan_.ramp_time &&
+    const bool is_ramped = scene_.method == SolverMethod::quasi_static || row.time > plan_.ramp_time;
+    return scene_.loading.stop_drop && is_ramped &&
            row.stress < *scene_.loading.stop_drop * result_.peak_stress;
   }
 

@@ -8,6 +8,7 @@
 #include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "libmpm/solver/moving/moving_solver.hpp"
 #include "libmpm/solver/plan.hpp"
+#include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
 
 namespace mpm {
 namespace {
@@ -39,6 +40,10 @@ Result run_from_the_start(const Scene& scene, const Plan& plan, const RunHooks& 
   return run_lattice(scene, plan, run, solver);
 }
 
+/// Without waves, from the start or from an archive.
+Result run_quasi_static(const Scene& scene, const Plan& plan, const RunHooks& hooks,
+                        const Checkpoint* checkpoint);
+
 [[noreturn]] void refuse(const std::string& why, const std::string& cure) {
   throw FileError("checkpoint", why, "", cure);
 }
@@ -47,6 +52,20 @@ Result run_from_the_start(const Scene& scene, const Plan& plan, const RunHooks& 
 void close(ArchiveReader& archive) {
   archive.finish();
   if (!archive.ok()) refuse("holds " + archive.fault(), "resume from an earlier one, or start again");
+}
+
+Result run_quasi_static(const Scene& scene, const Plan& plan, const RunHooks& hooks,
+                        const Checkpoint* checkpoint) {
+  Run run(scene, plan, hooks);
+  QuasiStaticSolver solver(scene, plan);
+  if (checkpoint != nullptr) {
+    ArchiveReader archive(checkpoint->state);
+    run.restore(archive, checkpoint->wall_time);
+    solver.restore(archive);
+    close(archive);
+  }
+  (void)run.drive(solver, false, never);
+  return run.end(solver);
 }
 
 template <class Real>
@@ -101,6 +120,7 @@ Scene on_the_same_instructions(const Scene& scene, const Checkpoint& checkpoint)
 Result simulate(const Scene& scene, const RunHooks& hooks) { return simulate(scene, plan(scene), hooks); }
 
 Result simulate(const Scene& scene, const Plan& plan, const RunHooks& hooks) {
+  if (scene.method == SolverMethod::quasi_static) return run_quasi_static(scene, plan, hooks, nullptr);
   return scene.precision == Precision::single ? run_from_the_start<float>(scene, plan, hooks)
                                               : run_from_the_start<double>(scene, plan, hooks);
 }
@@ -109,6 +129,7 @@ Result resume(const Scene& scene, const Checkpoint& checkpoint, const RunHooks& 
   const Plan planned = plan(scene);
   check_that_it_fits(scene, checkpoint);
   const Scene same = on_the_same_instructions(scene, checkpoint);
+  if (scene.method == SolverMethod::quasi_static) return run_quasi_static(same, planned, hooks, &checkpoint);
   return scene.precision == Precision::single ? run_from<float>(checkpoint, same, planned, hooks)
                                               : run_from<double>(checkpoint, same, planned, hooks);
 }

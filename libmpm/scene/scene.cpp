@@ -165,6 +165,27 @@ void check_kinematics(Faults& faults, const Scene& scene) {
   check_edge(faults, scene, "motion.top", scene.motion.top, !flies);
 }
 
+/// What equilibrium without inertia does not have, or not yet.
+void check_quasi_static(Faults& faults, const Scene& scene) {
+  faults.require(scene.event_tolerance >= 0 && scene.event_tolerance < 1, "solver.event_tolerance",
+                 text(scene.event_tolerance, ""), "must lie in [0, 1)");
+  if (scene.method != SolverMethod::quasi_static) return;
+  const char* cure = "choose solver.method = \"explicit\"";
+  faults.require(scene.kinematics == Kinematics::small_strain, "solver.method", "quasi_static",
+                 "needs solver.kinematics = \"small_strain\"", cure);
+  faults.require(scene.loading.direction != Direction::none, "solver.method", "quasi_static",
+                 "needs platens, as with loading.direction = \"tension\"", cure);
+  faults.require(scene.extra_points.empty(), "solver.method", "quasi_static",
+                 "needs the ITZ as pixels, itz.mode = \"mask\"", cure);
+  faults.require(scene.damage.crack_closure == CrackClosure::off, "solver.method", "quasi_static",
+                 "is not made yet for damage.crack_closure", cure);
+  for (const auto& phase : scene.phases)
+    if (phase)
+      faults.require(!phase->softens(), "phases." + phase->name + ".fracture_energy",
+                     text(phase->fracture_energy, "J/m2"),
+                     "is not made yet for solver.method = \"quasi_static\"", cure);
+}
+
 void check_solver(Faults& faults, const Scene& scene) {
   faults.require(scene.cfl > 0 && scene.cfl <= 1, "solver.cfl", text(scene.cfl, ""), "must lie in (0, 1]");
   faults.require(scene.local_damping >= 0 && scene.local_damping < 1, "solver.local_damping",
@@ -194,6 +215,7 @@ void check_settings(Faults& faults, const Scene& scene) {
   check_handover(faults, scene.handover);
   check_kinematics(faults, scene);
   check_solver(faults, scene);
+  check_quasi_static(faults, scene);
 }
 
 }  // namespace

@@ -120,6 +120,12 @@ struct Damage {
   double correlation_length = 0;  ///< of the strength field [m]; 0 = points are independent
 };
 
+/// How the state of a run follows from its loading.
+enum class SolverMethod {
+  explicit_,     ///< motion in small time steps, with inertia
+  quasi_static,  ///< equilibrium at every strain, without waves
+};
+
 /// A run. Lengths from the lower left corner of the specimen; all quantities per metre of thickness.
 struct Scene {
   PixelField<std::uint8_t> labels;           ///< label per pixel, shape (rows, cols), row 0 at the top
@@ -132,6 +138,10 @@ struct Scene {
   /// One pixel is one cell with one state, integrated in full: it cracks through as a whole, and a layer is
   /// exact whatever its thickness. Needs points_per_cell = 1 and small strain.
   bool pixel_cells = false;
+  SolverMethod method = SolverMethod::explicit_;
+  /// Quasi-static: points that would fail up to this share above the strain of the next failure fail with it
+  /// [-], in [0, 1); 0 = one failure at a time.
+  double event_tolerance = 0.02;
   Kinematics kinematics = Kinematics::small_strain;
   Motion motion;
   Handover handover;

@@ -221,6 +221,12 @@ Plan plan(const Scene& scene) {
     refuse_other_width(scene, plan);
     refuse_snap_back(scene, std::max(plan.cell_size, plan.moving.crack_band));
   }
+  if (scene.method == SolverMethod::quasi_static) {  // there is no time; failures make the steps
+    plan.dt = plan.ramp_time = 0;
+    plan.steps = scene.history_rows;
+    plan.steps_per_row = 1;
+    return plan;
+  }
   plan.steps = steps_needed(scene, plan);
   plan.steps_per_row = std::max<std::int64_t>(1, plan.steps / scene.history_rows);
   return plan;

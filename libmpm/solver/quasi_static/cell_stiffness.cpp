@@ -1,0 +1,87 @@
+#include "libmpm/solver/quasi_static/cell_stiffness.hpp"
+
+#include <algorithm>
+
+#include "libmpm/solver/lattice/lattice_points.hpp"
+
+namespace mpm {
+namespace {
+
+using Weights = Eigen::Matrix4d;  ///< of the nodes of a coarse cell (columns) in those of a child (rows) [-]
+
+/// Strain (e_xx, e_yy, gamma_xy) over displacement at a place of a cell, times the size of the cell [-].
+Eigen::Matrix<double, 3, 8> strains(double xi, double eta) {
+  const Eigen::RowVector4d along_x(-(1 - eta), 1 - eta, -eta, eta);
+  const Eigen::RowVector4d along_y(-(1 - xi), -xi, 1 - xi, xi);
+  Eigen::Matrix<double, 3, 8> b = Eigen::Matrix<double, 3, 8>::Zero();
+  b.block<1, 4>(0, 0) = along_x;
+  b.block<1, 4>(1, 4) = along_y;
+  b.block<1, 4>(2, 0) = along_y;
+  b.block<1, 4>(2, 4) = along_x;
+  return b;
+}
+
+CellStiffness of_point(const Phase& phase, const Scene& scene, int plane) {
+  const int k = scene.points_per_cell;
+  const Eigen::Matrix3d c = stiffness(phase, scene.plane);
+  const auto b = strains((plane % k + 0.5) / k, (plane / k + 0.5) / k);
+  CellStiffness matrix = b.transpose() * c * b;
+  if (scene.pixel_cells) {
+    const Eigen::Vector4d mode(1, -1, -1, 1);
+    const Eigen::Matrix4d bending = bending_stiffness(c) * mode * mode.transpose();
+    matrix.topLeftCorner<4, 4>() += bending;
+    matrix.bottomRightCorner<4, 4>() += bending;
+  }
+  return matrix;
+}
+
+Weights weights_of(int child) {
+  Weights w;
+  for (int node = 0; node < 4; ++node) {
+    const double x = 0.5 * (child % 2 + node % 2);
+    const double y = 0.5 * (child / 2 + node / 2);
+    w.row(node) << (1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y;
+  }
+  return w;
+}
+
+const std::array<Weights, 4>& child_weights() {
+  static const std::array<Weights, 4> all{weights_of(0), weights_of(1), weights_of(2), weights_of(3)};
+  return all;
+}
+
+Weights without(Weights weights, const std::array<bool, 4>& held) {
+  for (int node = 0; node < 4; ++node)
+    if (held[static_cast<std::size_t>(node)]) weights.row(node).setZero();
+  return weights;
+}
+
+}  // namespace
+
+PointStiffness::PointStiffness(const Scene& scene)
+    : planes_(scene.points_per_cell * scene.points_per_cell),
+      matrices_(scene.phases.size() * static_cast<std::size_t>(planes_), CellStiffness::Zero()) {
+  for (std::size_t label = 0; label < scene.phases.size(); ++label)
+    for (int plane = 0; plane < planes_ && scene.phases[label]; ++plane)
+      matrices_[label * static_cast<std::size_t>(planes_) + static_cast<std::size_t>(plane)] =
+          of_point(*scene.phases[label], scene, plane);
+}
+
+bool HeldNodes::any() const {
+  const auto yes = [](bool held) { return held; };
+  return std::any_of(x.begin(), x.end(), yes) || std::any_of(y.begin(), y.end(), yes);
+}
+
+void add_child(CellStiffness& coarse, const CellStiffness& fine, int child, const HeldNodes& held) {
+  const Weights& whole = child_weights()[static_cast<std::size_t>(child)];
+  const bool any = held.any();
+  const Weights px = any ? without(whole, held.x) : whole;
+  const Weights py = any ? without(whole, held.y) : whole;
+  coarse.topLeftCorner<4, 4>() += px.transpose() * (fine.topLeftCorner<4, 4>() * px);
+  const Eigen::Matrix4d mixed = px.transpose() * (fine.topRightCorner<4, 4>() * py);
+  coarse.topRightCorner<4, 4>() += mixed;
+  coarse.bottomLeftCorner<4, 4>() += mixed.transpose();
+  coarse.bottomRightCorner<4, 4>() += py.transpose() * (fine.bottomRightCorner<4, 4>() * py);
+}
+
+}  // namespace mpm

@@ -1,0 +1,45 @@
+/// Stiffness of cells as matrices of 8 x 8, and of four cells as one of twice the size.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "libmpm/scene/scene.hpp"
+
+namespace mpm {
+
+/// Forces on the nodes of a cell over their displacements [Pa], in the order x of the lower left, lower
+/// right, upper left and upper right node, then y of the same.
+using CellStiffness = Eigen::Matrix<double, 8, 8>;
+
+/// Stiffness that a point of each phase adds to its cell, by its place in the cell; in the scale of the
+/// sweeps, so that the points of a cell count K x K times.
+class PointStiffness {
+ public:
+  /// The scene must outlive this.
+  explicit PointStiffness(const Scene& scene);
+
+  /// @param plane  place of the point in its cell, see LatticePoints.   @pre the label is that of a phase.
+  [[nodiscard]] const CellStiffness& of(std::uint8_t label, int plane) const {
+    return matrices_[label * static_cast<std::size_t>(planes_) + static_cast<std::size_t>(plane)];
+  }
+
+ private:
+  int planes_;
+  std::vector<CellStiffness> matrices_;  ///< zero for labels without a phase
+};
+
+/// Whether each of the four nodes of a cell is held in x and in y.
+struct HeldNodes {
+  std::array<bool, 4> x{}, y{};
+  [[nodiscard]] bool any() const;
+};
+
+/// Adds the stiffness of one of the four children of a coarse cell: P^T K P with bilinear interpolation P,
+/// without the rows of held nodes.
+/// @param child  0 = lower left, 1 = lower right, 2 = upper left, 3 = upper right.
+void add_child(CellStiffness& coarse, const CellStiffness& fine, int child, const HeldNodes& held);
+
+}  // namespace mpm

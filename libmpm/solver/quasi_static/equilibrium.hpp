@@ -1,0 +1,80 @@
+/// Displacements in equilibrium: conjugate gradients on the cells of the run, preconditioned by multigrid.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "libmpm/kernels/lattice_kernels.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/lattice/lattice_points.hpp"
+#include "libmpm/solver/plan.hpp"
+#include "libmpm/solver/quasi_static/multigrid.hpp"
+
+namespace mpm {
+
+/// The specimen between its platens at a platen strain of 1: the lower platen stands still, the upper one has
+/// moved up by the height. Points are those of the lattice.
+class Equilibrium final : private FineGrid {
+ public:
+  /// All points intact, nothing solved yet. The scene must outlive this.
+  Equilibrium(const Scene& scene, const Plan& plan, const StrengthFactors& factors);
+  Equilibrium(const Equilibrium&) = delete;
+  Equilibrium& operator=(const Equilibrium&) = delete;
+
+  /// Solve for the stiffness of now, from the displacements of before.
+  /// @param reduction  of the residual, over what it is at the start [-].   @return whether it was reached.
+  [[nodiscard]] bool solve(double reduction);
+
+  /// Gives points another share of their stiffness, from the next solve on.
+  struct Change {
+    int row = 0, plane = 0, cell = 0;  ///< see LatticePoints
+    double kept = 0;                   ///< share of its stiffness that remains [-]
+  };
+  void change(const std::vector<Change>& changes);
+
+  /// Stress of the platens over their strain [Pa]: mean of both.
+  [[nodiscard]] double modulus() const { return 0.5 * (modulus_top_ + modulus_bottom_); }
+  [[nodiscard]] double modulus_top() const { return modulus_top_; }
+  [[nodiscard]] double modulus_bottom() const { return modulus_bottom_; }
+  [[nodiscard]] std::int64_t iterations() const { return iterations_; }  ///< so far
+
+  /// Displacements of a cell over the platen strain [m].
+  [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
+  [[nodiscard]] const Plan& plan() const { return plan_; }  ///< that of the run, with padding cells
+  [[nodiscard]] const LatticePoints<double>& points() const { return points_; }
+  /// Label of the pixel of a point; a pixel beyond the picture is void.
+  [[nodiscard]] const std::uint8_t* label(int row, int plane, int cell) const;
+
+  [[nodiscard]] const NodeField& displacements() const { return u_; }
+  [[nodiscard]] NodeField& displacements() { return u_; }
+
+ private:
+  [[nodiscard]] CellShape shape() const override { return {plan_.cells_x, plan_.cells_y}; }
+  void forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
+              kernels::NodeForces<double> upper) const override;
+  [[nodiscard]] CellStiffness cell(int row, int col) const override;
+  [[nodiscard]] HeldNodes held(int row, int col) const override;
+  void clear_held(NodeField& field) const override;
+
+  void find_pinned_node();
+  void move_platens();
+  [[nodiscard]] double share_of(std::uint8_t label, std::size_t at) const;
+  void read_reactions();
+
+  const Scene& scene_;
+  int cells_y_;  ///< without padding
+  Plan plan_;
+  LatticePoints<double> points_;
+  PointStiffness stiffness_;
+  std::vector<double> intact_;  ///< what points_ hold of an intact point, by label [Pa]
+  Eigen::Matrix3d unit_stiffness_;
+  kernels::SweepCells<double> sweep_cells_;
+  int pinned_ = 0;  ///< column of the node that a smooth lower platen holds sideways
+  std::unique_ptr<Multigrid> multigrid_;
+  NodeField u_, no_load_, residual_, preconditioned_, direction_, image_;
+  double modulus_top_ = 0, modulus_bottom_ = 0;
+  std::int64_t iterations_ = 0;
+};
+
+}  // namespace mpm

@@ -1,0 +1,121 @@
+/// One V-cycle of geometric multigrid for the cells of a picture, the preconditioner of Equilibrium.
+///
+/// The finest grid is that of the run and is never stored as a matrix. Each coarser one has cells of twice
+/// the size, whose matrices are those of their four children seen through bilinear interpolation (Galerkin);
+/// when points fail, only the ancestors of their cells are computed anew. Smoothing is by damped block
+/// Jacobi, so that the result does not depend on the order of the nodes; the coarsest grid is solved
+/// directly.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "libmpm/kernels/aligned.hpp"
+#include "libmpm/kernels/equilibrium_kernels.hpp"
+#include "libmpm/solver/grid.hpp"
+#include "libmpm/solver/quasi_static/band_solver.hpp"
+#include "libmpm/solver/quasi_static/cell_stiffness.hpp"
+
+namespace mpm {
+
+/// A vector at every node, shape (rows, stride) each; what lies beyond the columns stays zero.
+struct NodeField {
+  AlignedVector<double> x, y;
+};
+
+/// Rows and columns of cells and of nodes.
+struct CellShape {
+  int cells_x = 0, cells_y = 0;
+
+  [[nodiscard]] std::ptrdiff_t cell_stride() const { return padded(cells_x); }
+  [[nodiscard]] std::ptrdiff_t stride() const { return padded(cells_x) + kernels::lane_cells; }  ///< of nodes
+  [[nodiscard]] std::size_t nodes() const {
+    return static_cast<std::size_t>(cells_y + 1) * static_cast<std::size_t>(stride());
+  }
+  [[nodiscard]] std::size_t node(int row, int col) const {
+    return static_cast<std::size_t>(row * stride() + col);
+  }
+  [[nodiscard]] NodeField zeros() const {
+    return {AlignedVector<double>(nodes(), 0.0), AlignedVector<double>(nodes(), 0.0)};
+  }
+};
+
+/// The finest grid, as the multigrid sees it.
+class FineGrid {
+ public:
+  virtual ~FineGrid() = default;
+  [[nodiscard]] virtual CellShape shape() const = 0;
+  /// Forces of a row of cells on its nodes: minus the stiffness times the displacement.
+  virtual void forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
+                      kernels::NodeForces<double> upper) const = 0;
+  [[nodiscard]] virtual CellStiffness cell(int row, int col) const = 0;
+  /// Nodes of a cell that are held.
+  [[nodiscard]] virtual HeldNodes held(int row, int col) const = 0;
+  /// Sets the components of held nodes to zero.
+  virtual void clear_held(NodeField& field) const = 0;
+};
+
+/// Forces of two rows of cells on the nodes between and beside them.
+class CellRowForces {
+ public:
+  void resize(std::ptrdiff_t cells);
+  [[nodiscard]] kernels::NodeForces<double> forces();
+
+ private:
+  AlignedVector<double> values_;
+  std::ptrdiff_t length_ = 0;
+};
+
+/// Number of times that the grid can be made coarser; its cells must be padded to a multiple of 2 to its
+/// power.
+[[nodiscard]] int coarsenings(int cells_x, int cells_y);
+
+class Multigrid {
+ public:
+  /// @param fine  must outlive this; its shape is a multiple of 2^coarsenings.
+  Multigrid(const FineGrid& fine, int coarsenings, const equilibrium::Kernels& kernels);
+
+  struct Cell {
+    int row = 0, col = 0;
+  };
+  /// Follows the finest grid, of which these cells have changed.
+  void update(std::vector<Cell> cells);
+
+  /// z = an approximation of the displacements under the loads r; zero where nodes are held.
+  void precondition(const NodeField& r, NodeField& z);
+
+  /// out = load minus stiffness times u, for every node, held or not. out must be another field than u.
+  void residual(const NodeField& load, const NodeField& u, NodeField& out);
+
+ private:
+  struct Level {
+    CellShape shape;
+    AlignedVector<double> matrices;      ///< of a coarser grid, see equilibrium::MatrixRow
+    AlignedVector<double> xx, xy, yy;    ///< inverse of the stiffness of each node
+    NodeField load, solution, residual;  ///< empty for the finest grid but the residual
+    CellRowForces upper[2], lower;       ///< of the row of cells at hand and of the one below
+  };
+
+  [[nodiscard]] CellStiffness cell(std::size_t level, int row, int col) const;
+  void make_cell(std::size_t level, int row, int col);
+  void make_node(std::size_t level, int row, int col);
+  void factorise();
+  void cell_forces(Level& level, std::size_t index, int row, const NodeField& u, CellRowForces& lower,
+                   CellRowForces& upper);
+  using Kernel = void (*)(const equilibrium::RelaxRow&);
+  void sweep(std::size_t index, const NodeField& load, const NodeField& u, NodeField& out, Kernel kernel,
+             double weight);
+  void relax(std::size_t level, const NodeField& load, NodeField& u, double weight);
+  void first_relax(std::size_t level, const NodeField& load, NodeField& u) const;
+  void cycle(std::size_t level, const NodeField& load, NodeField& u);
+  void solve_coarsest(const NodeField& load, NodeField& u);
+
+  const FineGrid& fine_;
+  const equilibrium::Kernels& kernels_;
+  std::vector<Level> levels_;
+  CellRowForces no_forces_;
+  BandSolver coarsest_;
+  std::vector<double> unknowns_;  ///< of the coarsest grid
+};
+
+}  // namespace mpm

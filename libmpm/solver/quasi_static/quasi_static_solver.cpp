@@ -1,0 +1,254 @@
+#include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mpm {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double first_reduction = 1e-9;  ///< of the residual, of the intact specimen
+constexpr double reduction = 1e-3;        ///< of what the last failures have added to it
+/// Share of its stiffness that a failed point keeps, so that what has come loose stays where it is.
+constexpr double remainder = 1e-6;
+
+PixelField<double> drawn_factors(const Scene& scene) {
+  const StrengthFactors drawn(scene, false);
+  PixelField<double> factors = PixelField<double>::Zero(scene.labels.rows(), scene.labels.cols());
+  for (int row = 0; row < scene.labels.rows(); ++row)
+    for (int col = 0; col < scene.labels.cols(); ++col) {
+      const auto& phase = scene.phases[scene.labels(row, col)];
+      if (phase && phase->can_fail()) factors(row, col) = drawn.of_pixel(row, col);
+    }
+  return factors;
+}
+
+}  // namespace
+
+QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan)
+    : QuasiStaticSolver(scene, plan, drawn_factors(scene)) {}
+
+QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const PixelField<double>& factors)
+    : scene_(scene),
+      plan_(plan),
+      equilibrium_(scene, plan, StrengthFactors(scene, false)),
+      maps_(empty_maps(scene, plan)),
+      sign_(scene.loading.direction == Direction::tension ? 1.0 : -1.0),
+      carrying_(count_points(scene)) {
+  for (const auto& phase : scene.phases) {
+    Limits limits;
+    if (phase) {
+      const Eigen::Matrix3d c = stiffness(*phase, scene.plane);
+      limits = {c(0, 1),
+                c(2, 2),
+                scene.plane == Plane::strain ? phase->poisson : 0,
+                phase->can_crack() ? phase->tensile_scale : never,
+                std::sin(phase->friction_angle),
+                phase->can_shear() ? 2 * phase->cohesion * std::cos(phase->friction_angle) : never};
+    }
+    limits_.push_back(limits);
+  }
+  const LatticePoints<double>& points = equilibrium_.points();
+  factors_.assign(points.stiffness.size(), 0.0);
+  onsets_.assign(points.stiffness.size(), never);
+  const int k = scene.points_per_cell;
+  for (int row = 0; row < plan.cells_y; ++row)
+    for (int plane = 0; plane < points.planes; ++plane)
+      for (int cell = 0; cell < plan.cells_x; ++cell)
+        if (const std::uint8_t* label = equilibrium_.label(row, plane, cell);
+            label != nullptr && scene.phases[*label]->can_fail())
+          factors_[points.at(row, plane, cell)] =
+              factors(scene.labels.rows() - 1 - (row * k + plane / k), cell * k + plane % k);
+}
+
+/// Platen strain at which the point fails whose stress at a platen strain of 1, with its sign, is given.
+QuasiStaticSolver::Onset QuasiStaticSolver::onset_of(const Limits& limits, double factor,
+                                                     const Stress<double>& s) const {
+  const double mean = 0.5 * (s.xx + s.yy);
+  const double half = 0.5 * (s.xx - s.yy);
+  const double radius = std::sqrt(half * half + s.xy * s.xy);
+  const double normal = limits.normal * (s.xx + s.yy);
+  const double first = std::max(mean + radius, normal);
+  const double last = std::min(mean - radius, normal);
+  const double tension = first > 0 ? limits.tension * factor / first : never;
+  const double drive = -last * (1 - limits.sine) + factor * first * (1 + limits.sine);
+  const double shear = last < 0 && drive > 0 ? factor * limits.cohesion / drive : never;
+  return tension <= shear ? Onset{tension, FailureMode::tension} : Onset{shear, FailureMode::shear};
+}
+
+void QuasiStaticSolver::find_onsets() {
+  const LatticePoints<double>& points = equilibrium_.points();
+  const int k = scene_.points_per_cell;
+  next_ = never;
+  for (int row = 0; row < plan_.cells_y; ++row)
+    for (int plane = 0; plane < points.planes; ++plane) {
+      const double xi = (plane % k + 0.5) / k;
+      const double eta = (plane / k + 0.5) / k;
+      for (int cell = 0; cell < plan_.cells_x; ++cell) {
+        const std::size_t at = points.at(row, plane, cell);
+        if (factors_[at] <= 0) continue;
+        const Limits& limits = limits_[*equilibrium_.label(row, plane, cell)];
+        const CellDisplacement u = equilibrium_.displacement(row, cell);
+        const double scale = sign_ / plan_.cell_size;
+        const double exx = scale * ((1 - eta) * (u.ux[1] - u.ux[0]) + eta * (u.ux[3] - u.ux[2]));
+        const double eyy = scale * ((1 - xi) * (u.uy[2] - u.uy[0]) + xi * (u.uy[3] - u.uy[1]));
+        const double gxy = scale * ((1 - xi) * (u.ux[2] - u.ux[0]) + xi * (u.ux[3] - u.ux[1]) +
+                                    (1 - eta) * (u.uy[1] - u.uy[0]) + eta * (u.uy[3] - u.uy[2]));
+        const Onset onset =
+            onset_of(limits, factors_[at], elastic_stress(limits.lame, limits.shear, exx, eyy, gxy));
+        next_ = std::min(next_, onset.strain);
+        onsets_[at] = onset.mode == FailureMode::shear ? -onset.strain : onset.strain;
+      }
+    }
+}
+
+double QuasiStaticSolver::energy() const {
+  return 0.5 * modulus_ * strain_ * strain_ * scene_.width() * scene_.height();
+}
+
+/// The platens move to another strain while nothing fails.
+void QuasiStaticSolver::add_work(double strain) {
+  const double before = energy();
+  strain_ = strain;
+  tally_.platen_work += energy() - before;
+}
+
+void QuasiStaticSolver::fail_points(double strain, double up_to) {
+  const LatticePoints<double>& points = equilibrium_.points();
+  const int k = scene_.points_per_cell;
+  const double kept = std::max(scene_.damage.residual_stiffness, remainder);
+  std::vector<Equilibrium::Change> changes;
+  for (int row = 0; row < plan_.cells_y; ++row)
+    for (int plane = 0; plane < points.planes; ++plane)
+      for (int cell = 0; cell < plan_.cells_x; ++cell) {
+        const std::size_t at = points.at(row, plane, cell);
+        if (factors_[at] <= 0 || std::abs(onsets_[at]) > up_to) continue;
+        const bool shear = onsets_[at] < 0;
+        factors_[at] = 0;
+        ++(shear ? tally_.shear_failures : tally_.tension_failures);
+        const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
+        const int pixel_col = cell * k + plane % k;
+        maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
+        maps_.failure_mode(pixel_row, pixel_col) =
+            static_cast<std::uint8_t>(shear ? FailureMode::shear : FailureMode::tension);
+        changes.push_back({row, plane, cell, kept});
+      }
+  if (scene_.damage.residual_stiffness <= 0) carrying_ -= static_cast<std::int64_t>(changes.size());
+  equilibrium_.change(changes);
+}
+
+/// From the state of the last failures to that at the next one.
+void QuasiStaticSolver::step() {
+  const bool first = steps_ == 0;
+  if (!first) fail_points(strain_, std::max(next_, strain_) * (1 + scene_.event_tolerance));
+  const double before = energy();
+  lost_ = !equilibrium_.solve(first ? first_reduction : reduction);
+  modulus_ = equilibrium_.modulus();
+  tally_.released += before - energy();
+  find_onsets();
+  done_ = !(next_ <= scene_.loading.stop_strain) && strain_ < scene_.loading.stop_strain;
+  add_work(done_ ? scene_.loading.stop_strain : std::max(strain_, next_));
+  ++steps_;
+}
+
+Ledger QuasiStaticSolver::advance(std::int64_t steps) {
+  for (std::int64_t i = 0; i < steps && !done_ && !lost_; ++i) step();
+  return ledger();
+}
+
+Ledger QuasiStaticSolver::ledger() const {
+  Ledger ledger;
+  ledger.platen_displacement = strain_ * scene_.height();
+  ledger.force_top = sign_ * equilibrium_.modulus_top() * strain_ * scene_.width();
+  ledger.force_bottom = -sign_ * equilibrium_.modulus_bottom() * strain_ * scene_.width();
+  ledger.platen_work = tally_.platen_work;
+  ledger.elastic = energy();
+  ledger.released = tally_.released;
+  ledger.tension_failures = tally_.tension_failures;
+  ledger.shear_failures = tally_.shear_failures;
+  ledger.carrying_points = carrying_;
+  if (lost_) ledger.trouble = "no equilibrium was found";
+  return ledger;
+}
+
+void QuasiStaticSolver::fill(Frame& frame) const {
+  frame.step = steps_;
+  frame.time = 0;
+  frame.strain = strain_;
+  frame.points.clear();
+  const LatticePoints<double>& points = equilibrium_.points();
+  const int k = scene_.points_per_cell;
+  const int rows = static_cast<int>(scene_.labels.rows());
+  const int cols = static_cast<int>(scene_.labels.cols());
+  for (int row = 0; row < rows; ++row)
+    for (int col = 0; col < cols; ++col) {
+      const std::uint8_t label = scene_.labels(row, col);
+      if (!scene_.phases[label]) continue;
+      const int from_below = rows - 1 - row;
+      const int plane = from_below % k * k + col % k;
+      const double xi = (col % k + 0.5) / k;
+      const double eta = (from_below % k + 0.5) / k;
+      CellDisplacement u = equilibrium_.displacement(from_below / k, col / k);
+      const double scale = sign_ * strain_;
+      for (int node = 0; node < 4; ++node) {
+        u.ux[node] *= scale;
+        u.uy[node] *= scale;
+      }
+      const auto inside = [&](const double(&v)[4]) {
+        return (1 - eta) * ((1 - xi) * v[0] + xi * v[1]) + eta * ((1 - xi) * v[2] + xi * v[3]);
+      };
+      const Phase& phase = *scene_.phases[label];
+      const bool failed = phase.can_fail() && factors_[points.at(from_below / k, plane, col / k)] <= 0;
+      const double kept = failed ? scene_.damage.residual_stiffness : 1;
+      const Stress<double> s = stress_in_cell(stiffness(phase, scene_.plane), u, xi, eta, plan_.cell_size);
+      frame.points.push_back(completed({.id = static_cast<std::uint32_t>(row * cols + col),
+                                        .x = (col + 0.5) * scene_.pixel_size + inside(u.ux),
+                                        .y = (from_below + 0.5) * scene_.pixel_size + inside(u.uy)},
+                                       {kept * s.xx, kept * s.yy, kept * s.xy, kept, 0}, scene_));
+    }
+}
+
+template <class Archive, class Self>
+void QuasiStaticSolver::pass(Archive& archive, Self& self) {
+  archive.whole(self.steps_, 1, std::int64_t{1} << 62);
+  archive.finite(self.strain_);
+  archive.finite(self.modulus_);
+  archive.finite(self.tally_.platen_work);
+  archive.finite(self.tally_.released);
+  archive.flag(self.done_);
+  archive.block(self.factors_);
+  archive.block(self.onsets_);
+  archive.raw(&self.next_, 1);
+  archive.block(self.equilibrium_.displacements().x);
+  archive.block(self.equilibrium_.displacements().y);
+  pass_maps(archive, self.maps_);
+}
+
+void QuasiStaticSolver::save(ArchiveWriter& archive) const { pass(archive, *this); }
+
+void QuasiStaticSolver::restore(ArchiveReader& archive) {
+  const AlignedVector<double> intact = factors_;
+  pass(archive, *this);
+  if (!archive.ok()) return;
+  const LatticePoints<double>& points = equilibrium_.points();
+  std::vector<Equilibrium::Change> changes;
+  const double kept = std::max(scene_.damage.residual_stiffness, remainder);
+  const int k = scene_.points_per_cell;
+  for (int row = 0; row < plan_.cells_y; ++row)
+    for (int plane = 0; plane < points.planes; ++plane)
+      for (int cell = 0; cell < plan_.cells_x; ++cell) {
+        const std::size_t at = points.at(row, plane, cell);
+        if (factors_[at] == intact[at]) continue;
+        if (factors_[at] != 0) return archive.fail("a point of another strength");
+        changes.push_back({row, plane, cell, kept});
+        const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
+        const auto mode = static_cast<FailureMode>(maps_.failure_mode(pixel_row, cell * k + plane % k));
+        if (mode == FailureMode::none) return archive.fail("a failure without a mode");
+        ++(mode == FailureMode::shear ? tally_.shear_failures : tally_.tension_failures);
+      }
+  if (scene_.damage.residual_stiffness <= 0) carrying_ -= static_cast<std::int64_t>(changes.size());
+  equilibrium_.change(changes);
+}
+
+}  // namespace mpm

@@ -1,0 +1,94 @@
+/// Fracture without waves: the specimen is in equilibrium at every strain, and fails point by point.
+///
+/// Between two failures everything is linear. At a platen strain of 1 the solution U of the points that still
+/// live gives each of them the strain at which it fails; the smallest is next. If it lies below the strain
+/// that the platens have reached, the failure belongs to an avalanche at that strain. No velocity, time step,
+/// density or damping is involved.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "libmpm/material/strength.hpp"
+#include "libmpm/scene/result.hpp"
+#include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/archive.hpp"
+#include "libmpm/solver/failure_maps.hpp"
+#include "libmpm/solver/frame.hpp"
+#include "libmpm/solver/plan.hpp"
+#include "libmpm/solver/quasi_static/equilibrium.hpp"
+
+namespace mpm {
+
+class QuasiStaticSolver {
+ public:
+  /// The scene and the plan must outlive the solver.
+  QuasiStaticSolver(const Scene& scene, const Plan& plan);
+  /// With given strength factors q [-], shape of the labels, instead of those of the seed.
+  QuasiStaticSolver(const Scene& scene, const Plan& plan, const PixelField<double>& factors);
+
+  /// Take up to `steps` steps (>= 1), each from one state in equilibrium to the next one at which a point
+  /// fails; stops at stop_strain. Returns the ledger of the last state, before the points fail.
+  [[nodiscard]] Ledger advance(std::int64_t steps);
+
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] bool is_done() const { return done_; }
+  [[nodiscard]] double dt() const { return 0; }  ///< there is no time
+
+  /// State of the last ledger.
+  void fill(Frame& frame) const;
+  void copy_maps(Result& result) const { maps_.copy_to(result); }
+  void save(ArchiveWriter& archive) const;
+  /// @pre no step was taken.
+  void restore(ArchiveReader& archive);
+  [[nodiscard]] std::string worst_point() const { return {}; }
+
+  [[nodiscard]] std::int64_t iterations() const { return equilibrium_.iterations(); }
+
+ private:
+  /// What the failure criteria need of a phase.
+  struct Limits {
+    double lame = 0, shear = 0;  ///< of the plane [Pa]
+    double normal = 0;           ///< out-of-plane stress over the sum of those in the plane [-]
+    double tension = 0;          ///< f_t [Pa]; infinite for a phase that does not crack
+    double sine = 0;             ///< of the friction angle
+    double cohesion = 0;         ///< 2 c cos(phi) [Pa]; infinite for a phase that does not shear
+  };
+
+  /// Failure of a point at a platen strain.
+  struct Onset {
+    double strain = 0;  ///< [-]; infinite = never
+    FailureMode mode = FailureMode::none;
+  };
+
+  void step();
+  [[nodiscard]] Onset onset_of(const Limits& limits, double factor, const Stress<double>& stress) const;
+  void find_onsets();
+  void add_work(double strain);
+  void fail_points(double strain, double up_to);
+  [[nodiscard]] Ledger ledger() const;
+  [[nodiscard]] double energy() const;  ///< elastic energy at the strain reached [J/m]
+  template <class Archive, class Self>
+  static void pass(Archive& archive, Self& self);
+
+  const Scene& scene_;
+  const Plan& plan_;
+  Equilibrium equilibrium_;
+  std::vector<Limits> limits_;     ///< by label
+  AlignedVector<double> factors_;  ///< q of each point as in LatticePoints [-]; 0 = it cannot fail (any more)
+  AlignedVector<double> onsets_;   ///< strain at which each point fails [-]; negative = in shear
+  double next_ = 0;                ///< smallest of them [-]
+  FailureMaps maps_;
+  Tally tally_;
+  double sign_ = 1;     ///< of the platen strain
+  double strain_ = 0;   ///< reached, without sign [-]
+  double modulus_ = 0;  ///< of the last state [Pa]
+  std::int64_t steps_ = 0;
+  std::int64_t carrying_ = 0;
+  bool solved_ = false;  ///< the displacements are those of the points that live
+  bool done_ = false;
+  bool lost_ = false;  ///< no equilibrium was found
+};
+
+}  // namespace mpm
