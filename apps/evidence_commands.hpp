@@ -1,4 +1,4 @@
-/// The commands that show what the program is worth: reproduce and bench; none in a build without them.
+/// The commands that compare the program with the paper and with known answers, reproduce and bench; none in a build without them.
 #pragma once
 
 #include "apps/command/program.hpp"

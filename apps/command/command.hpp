@@ -1,5 +1,4 @@
-/// What the exit codes of the program mean, in words.
-/// What every subcommand is.
+/// The base class of all commands, and the meanings of the exit codes.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -170,10 +170,12 @@ class SceneCheck {
   [[nodiscard]] std::string words() const {
     static constexpr std::array sources{"random aggregates", "listed ellipses", "a picture",
                                         "a specimen file"};
-    return fmt::format("a scene: {}, {:.4g} mm x {:.4g} mm, {}; {} points, {} steps",
+    return fmt::format("a scene: {}, {:.4g} mm x {:.4g} mm, {}; {} points, {}",
                        sources.at(static_cast<std::size_t>(source_of(settings_))), 1e3 * scene_.width(),
                        1e3 * scene_.height(), output::setting_of_loading(scene_), mpm::count_points(scene_),
-                       plan_.steps);
+                       scene_.method == mpm::SolverMethod::quasi_static
+                           ? "a state for each failure"
+                           : fmt::format("{} steps", plan_.steps));
   }
 
   std::vector<Complaint> complaints_;

@@ -142,6 +142,9 @@ class SimulateCommand : public SettingsCommand {
       console.out << scene_text(settings, Extent::whole, fs::current_path());
       return Exit::ok;
     }
+    if (const std::vector<std::string> unused = left_out(resolved.origins, settings); !unused.empty())
+      console.say("note: left out, for they have no effect with solver.method = \"" +
+                  output::word_of(settings.scene.method) + "\": " + listed(unused, "and"));
     Job job = make_job(std::move(settings), console);
     if (explain_) {
       const mpm::Explanation explanation = mpm::explain(job.scene);

@@ -1,3 +1,4 @@
+// Where everything of a chart goes: axes, lines, legend.
 #include "apps/drawing/chart.hpp"
 
 #include <algorithm>

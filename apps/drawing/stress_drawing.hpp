@@ -1,4 +1,4 @@
-/// A picture of stress with all that a reader needs beside it.
+/// The stress field as a picture, with its scale and legend.
 #pragma once
 
 #include <optional>

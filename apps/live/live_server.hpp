@@ -1,4 +1,4 @@
-/// A web server for those on this machine who know its address, with the secret in it.
+/// A web server for this machine only; its address holds a secret.
 #pragma once
 
 #include <cstdint>

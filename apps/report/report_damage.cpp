@@ -1,3 +1,4 @@
+// The section of the report that shows the damage.
 #include <fmt/format.h>
 #include <algorithm>
 

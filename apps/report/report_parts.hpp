@@ -1,4 +1,4 @@
-/// The bricks of the report, its style and its scripts. Arguments named `html` are HTML already, all others
+/// The building blocks of the report page: HTML, its style, its scripts. Arguments named `html` are HTML already, all others
 /// are plain text and escaped.
 #pragma once
 

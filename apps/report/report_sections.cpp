@@ -136,6 +136,11 @@ std::vector<std::string> failure_row(const FailureCount& count, bool with_crushe
 
 std::vector<Fact> solution_facts(const RunRecord& record) {
   const mpm::Result& result = record.result;
+  if (record.scene.method == mpm::SolverMethod::quasi_static)
+    return {count_fact("Material points", result.points, "point"),
+            count_fact("States in equilibrium", result.steps, "state"),
+            {"Wall time", rounded(result.wall_time), "s"},
+            {"Largest energy imbalance", rounded(100 * result.energy_error, 2), "% of the work"}};
   return {count_fact("Material points", result.points, "point"),
           count_fact("Steps", result.steps, "step"),
           {"Time step", rounded(1e9 * result.dt), "ns"},

@@ -1,3 +1,4 @@
+// The style sheet of the report.
 #include "apps/report/report_parts.hpp"
 
 #include <fmt/format.h>

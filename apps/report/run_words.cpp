@@ -36,6 +36,10 @@ std::string word_of(mpm::Kinematics kinematics) {
   return app::word_in({{small_strain, "small_strain"}, {moving, "moving"}, {automatic, "auto"}}, kinematics);
 }
 
+std::string word_of(mpm::SolverMethod method) {
+  return method == mpm::SolverMethod::quasi_static ? "quasi_static" : "explicit";
+}
+
 std::string word_of(mpm::StopReason reason) {
   using enum mpm::StopReason;
   return app::word_in({{strain, "strain"}, {time, "time"}, {drop, "drop"}, {interrupted, "interrupted"}},
@@ -85,6 +89,8 @@ std::string name_of_loading(const mpm::Scene& scene) {
 
 std::string setting_of_loading(const mpm::Scene& scene) {
   const mpm::Loading& loading = scene.loading;
+  if (scene.method == mpm::SolverMethod::quasi_static)
+    return fmt::format("quasi-static {}, {} platens", name_of_loading(scene), word_of(loading.platen));
   if (has_platens(scene))
     return fmt::format("{} at {} m/s, {} platens{}", name_of_loading(scene), concise(loading.velocity),
                        word_of(loading.platen), loading.separation ? " with separation" : "");
@@ -125,6 +131,7 @@ std::string meaning_of_energy(const mpm::Scene& scene) {
 }
 
 std::string name_of_kinematics(const mpm::Scene& scene) {
+  if (scene.method == mpm::SolverMethod::quasi_static) return "small strain, in equilibrium";
   if (scene.kinematics == mpm::Kinematics::small_strain) return "small strain";
   const char* shape = scene.motion.shape == mpm::Shape::linear ? "linear"
                       : scene.motion.shape == mpm::Shape::gimp ? "GIMP"

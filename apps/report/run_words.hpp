@@ -9,11 +9,12 @@
 
 namespace output {
 
-[[nodiscard]] std::string word_of(mpm::Direction direction);    ///< "tension"
-[[nodiscard]] std::string word_of(mpm::Platen platen);          ///< "smooth"
-[[nodiscard]] std::string word_of(mpm::Plane plane);            ///< "plane strain"
-[[nodiscard]] std::string word_of(mpm::Precision precision);    ///< "double"
-[[nodiscard]] std::string word_of(mpm::CrackClosure law);       ///< "unilateral"
+[[nodiscard]] std::string word_of(mpm::Direction direction);  ///< "tension"
+[[nodiscard]] std::string word_of(mpm::Platen platen);        ///< "smooth"
+[[nodiscard]] std::string word_of(mpm::Plane plane);          ///< "plane strain"
+[[nodiscard]] std::string word_of(mpm::Precision precision);  ///< "double"
+[[nodiscard]] std::string word_of(mpm::CrackClosure law);     ///< "unilateral"
+[[nodiscard]] std::string word_of(mpm::SolverMethod method);
 [[nodiscard]] std::string word_of(mpm::Kinematics kinematics);  ///< "moving"
 [[nodiscard]] std::string word_of(mpm::StopReason reason);      ///< "drop"
 [[nodiscard]] std::string phrase_of(mpm::StopReason reason);    ///< "its duration was over"

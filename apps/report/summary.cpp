@@ -1,3 +1,6 @@
+// summary.json.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "apps/drawing/damage_picture.hpp"
@@ -54,19 +57,23 @@ json specimen_of(const specimen::Specimen& specimen) {
 }
 
 /// Between platens, or in flight.
-json loading_of(const mpm::Loading& loading) {
+json loading_of(const mpm::Scene& scene) {
+  const mpm::Loading& loading = scene.loading;
   if (loading.direction == mpm::Direction::none)
     return {{"direction", output::word_of(loading.direction)},
             {"initial_velocity_x_m_per_s", loading.initial_velocity_x},
             {"initial_velocity_y_m_per_s", loading.initial_velocity_y}};
-  return {{"direction", output::word_of(loading.direction)},
-          {"platen", output::word_of(loading.platen)},
-          {"separation", loading.separation},
-          {"velocity_m_per_s", loading.velocity}};
+  json all{{"direction", output::word_of(loading.direction)},
+           {"platen", output::word_of(loading.platen)},
+           {"separation", loading.separation}};
+  if (scene.method == mpm::SolverMethod::explicit_) all["velocity_m_per_s"] = loading.velocity;
+  return all;
 }
 
 json setting_of(const mpm::Scene& scene) {
-  return {{"kinematics", output::word_of(scene.kinematics)},
+  return {{"method", output::word_of(scene.method)},
+          {"cell", scene.pixel_cells ? "pixel" : fmt::format("{0} x {0}", scene.points_per_cell)},
+          {"kinematics", output::word_of(scene.kinematics)},
           {"plane", output::word_of(scene.plane)},
           {"seed", scene.damage.seed},
           {"crack_closure", output::word_of(scene.damage.crack_closure)},
@@ -118,7 +125,7 @@ json estimate_of(const output::ErrorEstimate& estimate) {
 json summary(const RunRecord& record) {
   json all = figures_of(record.result);
   all.update(setting_of(record.scene));
-  all.update(loading_of(record.scene.loading));
+  all.update(loading_of(record.scene));
   all["specimen"] = specimen_of(record.specimen);
   all["failures_by_phase"] = failures_of(record);
   all["damage_pictures"] = pictures_of(record.result);

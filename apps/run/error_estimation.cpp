@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "apps/text/complaint.hpp"
 #include "apps/text/figures.hpp"
 #include "libmpm/solver/plan.hpp"
 
@@ -57,6 +58,15 @@ std::string velocity_text(const mpm::Scene& scene) {
   return output::concise(scene.loading.velocity, 4) + " m/s";
 }
 std::string cfl_text(const mpm::Scene& scene) { return "CFL " + output::concise(scene.cfl, 4); }
+/// Of first order: a quarter of the tolerance leaves a quarter of its error.
+mpm::Scene with_fewer_failures_at_once(mpm::Scene scene) {
+  scene.event_tolerance *= 0.25;
+  return scene;
+}
+std::string tolerance_text(const mpm::Scene& scene) {
+  return output::percent(scene.event_tolerance, 2) + " of strain";
+}
+
 std::string precision_text(const mpm::Scene& scene) {
   return scene.precision == mpm::Precision::single ? "single" : "double";
 }
@@ -224,11 +234,16 @@ output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result&
                        double share) {
     estimate.sources.push_back(source_of(name, compared, share, base, solve(other)));
   };
-  estimate.sources.push_back(rate_error(shorter, base, solve));
-  const mpm::Scene short_steps = with_half_the_step(shorter);
-  add("time step", short_steps, cfl_text(short_steps), 2);
-  const mpm::Scene other = in_other_precision(shorter);
-  add("precision", other, precision_text(other), 1);
+  if (scene.method == mpm::SolverMethod::quasi_static) {
+    const mpm::Scene finer = with_fewer_failures_at_once(shorter);
+    if (scene.event_tolerance > 0) add("failures at once", finer, tolerance_text(finer), 4.0 / 3);
+  } else {
+    estimate.sources.push_back(rate_error(shorter, base, solve));
+    const mpm::Scene short_steps = with_half_the_step(shorter);
+    add("time step", short_steps, cfl_text(short_steps), 2);
+    const mpm::Scene other = in_other_precision(shorter);
+    add("precision", other, precision_text(other), 1);
+  }
   if (can_coarsen(scene)) {
     const mpm::Scene coarse = coarsened(shorter);
     add("pixel size", coarse, pixel_text(coarse), 1);
@@ -257,6 +272,10 @@ mpm::Scene coarsened(const mpm::Scene& scene) {
 }
 
 Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve) {
+  if (scene.method == mpm::SolverMethod::quasi_static)
+    throw Rejected(Exit::usage, "--tolerance", output::percent(tolerance),
+                   "chooses the rate, the step and the precision of explicit runs",
+                   "choose solver.event_tolerance for a quasi-static one");
   Search search(scene, solve);
   Candidate candidate = search.take(search.fastest());
   RateLadder ladder;

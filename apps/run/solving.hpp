@@ -1,4 +1,4 @@
-/// A run that somebody looks on at, and what there is to say of it in the end.
+/// Solving with a progress line and Ctrl-C, second runs for estimates of the error, remarks on the outcome.
 #pragma once
 
 #include <string>

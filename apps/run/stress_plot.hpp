@@ -1,4 +1,4 @@
-/// The stress of a run from one of its frames.
+/// The stress field of a run, from one of its frames.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// Which settings of a scene have an effect is open where those that decide it are refused.
+/// Settings whose effect cannot be judged because one that decides it was refused: they are not complained about.
 #pragma once
 
 #include <set>

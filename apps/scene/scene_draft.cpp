@@ -1,3 +1,4 @@
+// The scenes that mesopix scene init writes.
 #include "apps/scene/scene_text.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// The JSON Schema of scene files.
 #include "apps/scene/scene_text.hpp"
 
 #include <fmt/format.h>

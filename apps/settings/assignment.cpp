@@ -115,10 +115,20 @@ void apply(const std::vector<Assignment>& assignments, Settings& settings,
 std::vector<Complaint> check_use(const Origins& origins, const Settings& settings) {
   std::vector<Complaint> complaints;
   check_sources(origins, settings, complaints);
-  for (const auto& [key, given] : origins)
+  for (const auto& [key, given] : origins) {
+    const bool in_file = !given.place.file.empty();
+    if (in_file && !why_unused_by_method(key, settings.scene).empty()) continue;  // see left_out()
     if (const std::string reason = why_unused(key, settings); !reason.empty())
       complaints.push_back(about(given, reason, "remove it"));
+  }
   return complaints;
+}
+
+std::vector<std::string> left_out(const Origins& origins, const Settings& settings) {
+  std::vector<std::string> keys;
+  for (const auto& [key, given] : origins)
+    if (!why_unused_by_method(key, settings.scene).empty()) keys.push_back(key);
+  return keys;
 }
 
 Complaint locate(const Origins& origins, Complaint complaint) {

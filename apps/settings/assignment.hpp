@@ -46,6 +46,10 @@ void apply(const std::vector<Assignment>& assignments, Settings& settings,
 /// specimen.
 [[nodiscard]] std::vector<Complaint> check_use(const Origins& origins, const Settings& settings);
 
+/// Keys that were given but have no effect with the method of solution. Those of a scene file are left out;
+/// those of the command line are complained about.
+[[nodiscard]] std::vector<std::string> left_out(const Origins& origins, const Settings& settings);
+
 /// A complaint about a field of the libraries, at the place where the user set it.
 [[nodiscard]] Complaint locate(const Origins& origins, Complaint complaint);
 [[nodiscard]] Locate located_by(Origins origins);

@@ -139,8 +139,18 @@ Suggestion suggest_key(std::string_view key, const Settings& settings) {
 
 bool decides_use(std::string_view key) {
   return is_one_of(key, {"specimen.file", "specimen.picture", "specimen.ellipses", "ellipses",
-                         "generate.classes", "loading.direction", "solver.kinematics", "motion.transfer",
-                         "motion.left", "motion.right", "motion.bottom", "motion.top"});
+                         "generate.classes", "loading.direction", "solver.method", "solver.kinematics",
+                         "motion.transfer", "motion.left", "motion.right", "motion.bottom", "motion.top"});
+}
+
+std::string why_unused_by_method(std::string_view key, const mpm::Scene& scene) {
+  const bool still = scene.method == mpm::SolverMethod::quasi_static;
+  if (still && is_one_of(key, {"loading.velocity", "loading.ramp_time", "solver.cfl", "solver.local_damping",
+                               "solver.precision", "solver.threads", "output.history_rows"}))
+    return "has no effect with solver.method = \"quasi_static\"";
+  if (!still && key == "solver.event_tolerance")
+    return "has an effect with solver.method = \"quasi_static\" only";
+  return {};
 }
 
 std::string why_unused(std::string_view key, const Settings& settings) {
@@ -150,6 +160,7 @@ std::string why_unused(std::string_view key, const Settings& settings) {
   if (!settings.grading.classes.empty() &&
       is_one_of(key, {"generate.grading", "generate.d_min", "generate.d_max", "generate.walraven"}))
     return "has no effect beside generate.classes";
+  if (const std::string reason = why_unused_by_method(key, settings.scene); !reason.empty()) return reason;
   if (const std::string reason = why_motion_unused(key, settings.scene); !reason.empty()) return reason;
   const Source source = source_of(settings);
   if (source == Source::ellipses &&

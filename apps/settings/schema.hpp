@@ -89,6 +89,10 @@ inline constexpr std::size_t most_phases = 255;
 /// Whether it depends on a setting which others have an effect.
 [[nodiscard]] bool decides_use(std::string_view key);
 
+/// Why a setting has no effect with this method of solution; empty when it has one. A scene that is run by
+/// both methods may hold the settings of both.
+[[nodiscard]] std::string why_unused_by_method(std::string_view key, const mpm::Scene& scene);
+
 /// Why a setting has no effect, in half a sentence; empty when it has one. A setting without effect that the
 /// user gave is a mistake of theirs, and the resolved scene leaves it out.
 [[nodiscard]] std::string why_unused(std::string_view key, const Settings& settings);

@@ -1,3 +1,4 @@
+// The one table of settings: each key with its codec and its help. A default is the initialiser of the member.
 #include "apps/settings/schema.hpp"
 
 #include <numbers>
@@ -237,7 +238,16 @@ std::vector<Field> solver_fields() {
   const ChoiceCodec<std::string> instruction_set{
       {{"auto", ""}, {"avx512", "avx512"}, {"avx2", "avx2"}, {"baseline", "baseline"}}};
   const ChoiceCodec<Precision> precision{{{"double", Precision::double_}, {"single", Precision::single}}};
+  const ChoiceCodec<mpm::SolverMethod> method{
+      {{"explicit", mpm::SolverMethod::explicit_}, {"quasi_static", mpm::SolverMethod::quasi_static}}};
   return {
+      field(
+          "solver.method", method,
+          "explicit = motion in small time steps; quasi_static = equilibrium at every strain, without waves",
+          MEMBER(scene.method)),
+      field("solver.event_tolerance", ratio(below(0, 1)),
+            "quasi_static: failures within this share of strain happen at once; 0 = one at a time",
+            MEMBER(scene.event_tolerance)),
       field("solver.kinematics", kinematics,
             "points that keep their place, or move with the specimen; auto = move once they need to",
             MEMBER(scene.kinematics)),

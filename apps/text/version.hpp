@@ -1,3 +1,4 @@
+/// Version of the program, and how it was built.
 #pragma once
 
 namespace app {

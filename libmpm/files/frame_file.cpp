@@ -85,7 +85,7 @@ void write_point_data(hid_t group, const Frame& frame, const Scene& scene) {
   table("displacement", [](const FramePoint& p) { return floats(p.ux, p.uy, 0); }, {"m", "since the start"});
   table("velocity", [](const FramePoint& p) { return floats(p.vx, p.vy, 0); }, {"m/s", "of the points"});
   table("stress", [](const FramePoint& p) { return floats(p.sxx, p.sxy, 0, p.sxy, p.syy, 0, 0, 0, p.szz); },
-        {"Pa", "stress stress that a point carries: xx xy xz yx yy yz zx zy zz; tension is positive"});
+        {"Pa", "stress that a point carries: xx xy xz yx yy yz zx zy zz; tension is positive"});
   table("damage", [](const FramePoint& p) { return floats(p.damage); }, {"1", "0 = intact, 1 = failed"});
   table("phase", [](const FramePoint& p) { return std::array{p.phase}; }, {"1", meaning_of_phase(scene)});
   table("id", [](const FramePoint& p) { return std::array{static_cast<std::int32_t>(p.id)}; },

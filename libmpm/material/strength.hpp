@@ -1,5 +1,6 @@
 /// Random strengths: each material point has one random number, which depends only on the seed and the point.
-/// The numbers are independent, or one field with a correlation length.
+/// The numbers are independent, or one field with a correlation length. And the failure criteria, tension and
+/// Mohr-Coulomb.
 #pragma once
 
 #include <cstddef>

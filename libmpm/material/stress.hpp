@@ -1,4 +1,4 @@
-/// Stress in the plane, for the sweeps and for the exact criteria.
+/// Stress in the plane: elastic, and of a crack that closes; for the sweeps and for the exact criteria.
 /// Always inlined, so that no copy compiled for one instruction set is ever called from another.
 #pragma once
 

@@ -1,3 +1,4 @@
+/// Problems with a known answer: bodies in free flight.
 /// A disc of 0.9 m in free flight with a spin of 10 1/s: momentum and angular momentum stay.
 /// A square of pixels and irregular points that flies at 3 and -2 m/s: nothing may strain it. The patch test
 /// of Irons for a solver whose points cross cells.

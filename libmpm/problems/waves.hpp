@@ -1,3 +1,4 @@
+/// Problems with a known answer: waves and large deformation.
 /// Axial vibration of a bar, held at the left by a plane of symmetry and free at the right:
 /// v(x, t) = v0 sin(pi x / 2 L) cos(omega t), omega = pi c / 2 L.
 /// Large deformation with a solution made up beforehand: u = A sin(2 pi X) sin(c pi t) along each axis of the

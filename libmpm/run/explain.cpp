@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "libmpm/scene/error.hpp"
 #include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "libmpm/solver/moving/moving_solver.hpp"
 #include "libmpm/solver/plan.hpp"
@@ -304,6 +305,9 @@ class Catalogue {
 }  // namespace
 
 Explanation explain(const Scene& scene) {
+  if (scene.method == SolverMethod::quasi_static)
+    throw Error("solver.method", "quasi_static", "has no steps in time to explain",
+                "choose solver.method = \"explicit\"");
   const Plan decided = plan(scene);
   Catalogue catalogue(scene, decided);
   const Stopwatch stopwatch(scene);

@@ -1,4 +1,4 @@
-/// Records of a solver during a run: energies, and the time and place of failures.
+/// Records of a solver during a run: the energy ledger, and the time and place of failures.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-/// The plan of a run: everything that follows from its scene before the time loop.
+/// The plan of a run: everything that follows from its scene before the time loop:
+/// cells, time step, ramp, threads, features.
 #pragma once
 
 #include <cstdint>

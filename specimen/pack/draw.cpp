@@ -1,3 +1,4 @@
+// Ellipses drawn as pixels; declared in specimen/body/specimen.hpp.
 #include <algorithm>
 #include <cmath>
 #include <string>

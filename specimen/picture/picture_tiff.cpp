@@ -1,3 +1,4 @@
+// Reader of TIFF by libtiff: rows, tiles, palettes; colours by libtiff itself.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-/// libtiff without output on the terminal and with bounded memory.
+/// libtiff without output on the terminal and with bounded memory, for the reader and the writer of TIFF.
 #pragma once
 
 #include <tiffio.h>

@@ -1,4 +1,5 @@
-/// A stable time step for small strain, for any picture.
+/// The critical time step of the cells at small strain, for messages and the bench. The step of a run is chosen in
+/// plan.cpp.
 #pragma once
 
 #include "libmpm/scene/scene.hpp"

@@ -1,4 +1,4 @@
-// The points of the lattice for those who look on. The state is that of the ledger, at the beginning of the
+// Frames of the lattice, and the point where a run at small strain went wrong. The state is that of the ledger, at the beginning of the
 // last step: displacements of then, with what failed under them.
 // Where a run at small strain went wrong.
 #include <algorithm>

@@ -70,6 +70,28 @@ TEST_F(SimulateCommand, ChoosesWhatAToleranceAsksForAndWritesItDown) {
 }
 
 // A strip one cell high, whose points all have nearly the same strength.
+TEST_F(SimulateCommand, BreaksInEquilibriumWithoutASettingOfInertia) {
+  test::write_text("still.toml", test::read_text("scene.toml") +
+                                     "[loading]\nvelocity = \"0.1 m/s\"\n[solver]\ncfl = 0.4\n"
+                                     "method = \"quasi_static\"\ncell = \"pixel\"\n");
+  ASSERT_EQ(run({"still.toml", "--estimate-error", "-o", "run"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(), HasSubstr("note: left out, for they have no effect with solver.method = "
+                                    "\"quasi_static\": loading.velocity and solver.cfl\n"));
+  const json figures = json::parse(test::read_text("run/summary.json"));
+  EXPECT_EQ(figures["method"], "quasi_static");
+  EXPECT_EQ(figures["cell"], "pixel");
+  EXPECT_FALSE(figures.contains("velocity_m_per_s"));
+  EXPECT_LT(figures["energy_error"].get<double>(), 1e-9);
+  EXPECT_EQ(figures["error_estimate"]["sources"].size(), 2U);
+  EXPECT_THAT(test::read_text("run/scene.toml"), Not(HasSubstr("velocity")));
+  EXPECT_THAT(test::read_text("run/report.html"), HasSubstr("Quasi-static tension, smooth platens"));
+  ASSERT_EQ(run({"run/scene.toml", "-o", "again"}), Exit::ok) << err_.str();
+  EXPECT_EQ(test::read_text("run/curve.csv"), test::read_text("again/curve.csv"));
+  // On the command line such a setting is a mistake.
+  EXPECT_EQ(run({"still.toml", "--local-damping", "0.2", "-o", "third"}), Exit::usage);
+  EXPECT_EQ(run({"still.toml", "--tolerance", "2 %", "-o", "third"}), Exit::usage);
+}
+
 TEST_F(SimulateCommand, SaysWhenNothingCarriesLoadAnyMore) {
   test::write_text(
       "strip.pgm", "P2\n16 2\n255\n" + [] {

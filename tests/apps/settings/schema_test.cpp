@@ -44,6 +44,7 @@ std::vector<Value> trial_values() {
           text("linear"),
           text("usl"),
           text("apic"),
+          text("quasi_static"),
           text("open"),
           text("some words"),
           {List{text("5 mm .. 9 mm: 1")}},
@@ -252,6 +253,26 @@ TEST(WhyUnused, LooksForAnEdgeThatTheGridReachesBeyond) {
   EXPECT_EQ(app::why_unused("motion.margin", settings), "has no effect where no edge is closed or open");
   settings.scene.motion.right = mpm::Edge::open;
   EXPECT_EQ(app::why_unused("motion.margin", settings), "");
+}
+
+TEST(Schema, ReadsTheFormerNameOfTheCell) {
+  Settings settings;
+  app::find_field("solver.points_per_cell")->set(settings, {std::int64_t{3}});
+  EXPECT_EQ(app::find_field("solver.cell")->get(settings), Value{std::string("3 x 3")});
+  app::find_field("solver.cell")->set(settings, {std::string("pixel")});
+  EXPECT_TRUE(settings.scene.pixel_cells);
+  EXPECT_EQ(settings.scene.points_per_cell, 1);
+  for (const app::Field& field : app::fields()) EXPECT_NE(field.key, "solver.points_per_cell");
+}
+
+TEST(Schema, KnowsWhatEquilibriumHasNoUseFor) {
+  Settings settings;
+  EXPECT_EQ(app::why_unused("solver.event_tolerance", settings),
+            "has an effect with solver.method = \"quasi_static\" only");
+  settings.scene.method = mpm::SolverMethod::quasi_static;
+  EXPECT_EQ(app::why_unused("solver.event_tolerance", settings), "");
+  for (const char* key : {"loading.velocity", "loading.ramp_time", "solver.cfl", "solver.local_damping"})
+    EXPECT_EQ(app::why_unused(key, settings), "has no effect with solver.method = \"quasi_static\"") << key;
 }
 
 }  // namespace schema_test
