@@ -1,5 +1,5 @@
-/// The building blocks of the report page: HTML, its style, its scripts. Arguments named `html` are HTML already, all others
-/// are plain text and escaped.
+/// The building blocks of the report page: HTML, its style, its scripts. Arguments named `html` are HTML
+/// already, all others are plain text and escaped.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-/// Settings whose effect cannot be judged because one that decides it was refused: they are not complained about.
+/// Settings whose effect cannot be judged because one that decides it was refused: they are not complained
+/// about.
 #pragma once
 
 #include <set>

@@ -1,4 +1,5 @@
-// The one table of settings: each key with its codec and its help. A default is the initialiser of the member.
+// The one table of settings: each key with its codec and its help. A default is the initialiser of the
+// member.
 #include "apps/settings/schema.hpp"
 
 #include <numbers>

@@ -1,5 +1,5 @@
-/// The format of result.h5, its stop reasons and the names of the deformation; the columns of the history are in
-/// libmpm/scene/result.cpp, other names in result_file*.cpp. Not installed: private to result_file*.cpp.
+/// The format of result.h5, its stop reasons and the names of the deformation; the columns of the history are
+/// in libmpm/scene/result.cpp, other names in result_file*.cpp. Not installed: private to result_file*.cpp.
 #pragma once
 
 #include <array>

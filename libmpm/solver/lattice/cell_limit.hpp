@@ -1,5 +1,5 @@
-/// The critical time step of the cells at small strain, for messages and the bench. The step of a run is chosen in
-/// plan.cpp.
+/// The critical time step of the cells at small strain, for messages and the bench. The step of a run is
+/// chosen in plan.cpp.
 #pragma once
 
 #include "libmpm/scene/scene.hpp"

@@ -45,6 +45,7 @@ std::vector<Value> trial_values() {
           text("usl"),
           text("apic"),
           text("quasi_static"),
+          text("pixel"),
           text("open"),
           text("some words"),
           {List{text("5 mm .. 9 mm: 1")}},

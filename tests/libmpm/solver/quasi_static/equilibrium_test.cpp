@@ -96,7 +96,7 @@ TEST(Equilibrium, OfPixelCellsDoesNotLock) {
       if (phase) phase->poisson = poisson;
     return modulus(scene);
   };
-  EXPECT_LT(of(0, 0.4999) / of(0, 0.45), 1.08);
+  EXPECT_LT(of(0, 0.4999) / of(0, 0.45), 1.10);
   EXPECT_GT(of(2, 0.4999) / of(2, 0.45), 1.12);
 }
 
