@@ -24,14 +24,15 @@ struct StabilityCase {
 };
 
 /// The cases by group, which does not stand in them yet.
-[[nodiscard]] std::vector<StabilityCase> material_cases();   ///< stiffness, Poisson's ratio, density
-[[nodiscard]] std::vector<StabilityCase> strength_cases();   ///< what fails, down to the last point
-[[nodiscard]] std::vector<StabilityCase> geometry_cases();   ///< pictures at their extremes
-[[nodiscard]] std::vector<StabilityCase> point_cases();      ///< points a cell, and where they stand in it
-[[nodiscard]] std::vector<StabilityCase> time_step_cases();  ///< on both sides of the critical step
-[[nodiscard]] std::vector<StabilityCase> loading_cases();    ///< speed and ramp of the platen
-[[nodiscard]] std::vector<StabilityCase> motion_cases();     ///< points that move, meet and turn
-[[nodiscard]] std::vector<StabilityCase> number_cases();     ///< precision, and numbers that are hardly any
+[[nodiscard]] std::vector<StabilityCase> material_cases();      ///< stiffness, Poisson's ratio, density
+[[nodiscard]] std::vector<StabilityCase> strength_cases();      ///< what fails, down to the last point
+[[nodiscard]] std::vector<StabilityCase> geometry_cases();      ///< pictures at their extremes
+[[nodiscard]] std::vector<StabilityCase> point_cases();         ///< points a cell, and where they stand in it
+[[nodiscard]] std::vector<StabilityCase> time_step_cases();     ///< on both sides of the critical step
+[[nodiscard]] std::vector<StabilityCase> loading_cases();       ///< speed and ramp of the platen
+[[nodiscard]] std::vector<StabilityCase> quasi_static_cases();  ///< equilibrium without inertia
+[[nodiscard]] std::vector<StabilityCase> motion_cases();        ///< points that move, meet and turn
+[[nodiscard]] std::vector<StabilityCase> number_cases();  ///< precision, and numbers that are hardly any
 
 /// In the order in which they are reported, those of a group one after the other; no name comes twice.
 [[nodiscard]] const std::vector<StabilityCase>& stability_cases();

@@ -40,11 +40,18 @@ constexpr const char* simulate_footer =
 /// Gives the job the rate, step and precision that the tolerance asks for.   @return their error.
 output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
   const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
+  if (!found.met)
+    throw Rejected(
+        Exit::data, "--tolerance", output::percent(tolerance),
+        fmt::format("not met: at {} m/s the peak may still be wrong by {}",
+                    output::concise(found.scene.loading.velocity, 4),
+                    output::percent(found.estimate.stress_error())),
+        "choose --method quasi_static, which has no rate, or a larger tolerance; nothing was written");
   adopt(found, tolerance, job);
   console.say(
-      fmt::format("a tolerance of {} is {} at {} m/s, CFL {} and {} precision, found in {:.2f} s",
-                  output::concise(100 * tolerance) + " %", found.met ? "met" : "not met",
-                  output::concise(found.scene.loading.velocity, 4), output::concise(found.scene.cfl, 4),
+      fmt::format("a tolerance of {} is met at {} m/s, CFL {} and {} precision, found in {:.2f} s",
+                  output::concise(100 * tolerance) + " %", output::concise(found.scene.loading.velocity, 4),
+                  output::concise(found.scene.cfl, 4),
                   found.scene.precision == mpm::Precision::single ? "single" : "double", found.wall_time));
   return found.estimate;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "apps/text/complaint.hpp"
 #include "apps/text/words.hpp"
@@ -121,6 +123,48 @@ void check_edges(const mpm::Scene& scene) {
                  "crop the picture with convert.crop to where the material begins");
 }
 
+/// How far down the solid cells reach that hang together with the upper edge, in rows of cells. Cells that
+/// share a node carry load to each other.
+int depth_from_top(const mpm::Scene& scene) {
+  const int k = scene.points_per_cell;
+  const auto rows = static_cast<int>(scene.labels.rows()) / k;
+  const auto cols = static_cast<int>(scene.labels.cols()) / k;
+  specimen::Raster<char> open(rows, cols);  // solid, and not yet reached
+  for (int row = 0; row < rows; ++row)
+    for (int col = 0; col < cols; ++col)
+      for (const std::uint8_t label : scene.labels.block(row * k, col * k, k, k).reshaped())
+        if (scene.phases[label]) open(row, col) = 1;
+  std::vector<std::pair<int, int>> todo;
+  const auto reach = [&](int row, int col) {
+    if (row < 0 || col < 0 || row >= rows || col >= cols || open(row, col) == 0) return;
+    open(row, col) = 0;
+    todo.emplace_back(row, col);
+  };
+  for (int col = 0; col < cols; ++col) reach(0, col);
+  int depth = 0;
+  while (!todo.empty()) {
+    const auto [row, col] = todo.back();
+    todo.pop_back();
+    depth = std::max(depth, row + 1);
+    for (int d = 0; d < 9; ++d) reach(row + d / 3 - 1, col + d % 3 - 1);
+  }
+  return depth;
+}
+
+/// With nothing from platen to platen there is no test, unless points that move may still meet.
+void check_connection(const mpm::Scene& scene) {
+  const bool may_meet = scene.kinematics != mpm::Kinematics::small_strain &&
+                        scene.loading.direction == mpm::Direction::compression;
+  if (may_meet) return;
+  const double cell = scene.points_per_cell * scene.pixel_size;
+  const double depth = depth_from_top(scene) * cell;
+  if (depth > scene.height() - 0.5 * cell) return;
+  throw Rejected(Exit::data, "specimen",
+                 fmt::format("void from side to side, {:.4g} mm below its top edge", 1e3 * depth),
+                 "must hold together from platen to platen",
+                 "look at the phases with mesopix inspect; convert.class_phases says which class is void");
+}
+
 /// The paper's ITZ: a material point at each corner of each ring; corners outside the specimen are left out.
 std::vector<mpm::ExtraPoint> itz_points(const specimen::Specimen& specimen) {
   std::vector<mpm::ExtraPoint> points;
@@ -171,7 +215,10 @@ mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& setti
   scene.extra_points = itz_points(specimen);
   if (const auto complaints = flight_complaints(scene.loading); !complaints.empty())
     throw Rejected(Exit::data, complaints);
-  if (scene.loading.direction != mpm::Direction::none) check_edges(scene);
+  if (scene.loading.direction != mpm::Direction::none) {
+    check_edges(scene);
+    check_connection(scene);
+  }
   return scene;
 }
 

@@ -13,12 +13,12 @@ namespace app {
 using Solve = std::function<mpm::Result(const mpm::Scene&)>;
 
 /// Error of the peak of `base`, the result of a scene with platens, from runs that end soon after the peak:
-/// at a half and a quarter of the loading rate, with half the step, in the other precision, and with pixels
-/// twice as large. Where points fail, each run scatters: another order of failures moves the peak, by some
-/// per cent on coarse pixels. So the error of the rate is the distance to the line through the three rates at
-/// rest, and the standard error of that line there. The step is taken to be of first order, so that the error
-/// is twice what halving it changes; pixels too, so that it is what doubling them changes; of precision it is
-/// the difference. All have a margin of a quarter. Source: Roache, Verification and Validation in
+/// without inertia, with half the step, in the other precision, and with pixels twice as large. The error of
+/// the rate is the difference from equilibrium. Where there is none (points move, cracks close, extra points)
+/// it comes from runs at a half and a quarter of the rate: the distance to the line through the three rates
+/// at rest, and the standard error of that line there. The step is taken to be of first order, so that the
+/// error is twice what halving it changes; pixels too, so that it is what doubling them changes; of precision
+/// it is the difference. All have a margin of a quarter. Source: Roache, Verification and Validation in
 /// Computational Science and Engineering (1998): the grid convergence index.
 [[nodiscard]] output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result& base,
                                                    const Solve& solve);
@@ -35,9 +35,10 @@ struct Tolerated {
   bool met = false;                ///< else the estimate is as small as was reached
 };
 
-/// From a fast run in single precision with a step of 0.9 of the critical one, halve the loading rate until a
-/// line through the peaks of the last three is within half the tolerance of its end at rest, and the step and
-/// then the precision where the rest needs it.
+/// From a fast run in single precision with a step of 0.9 of the critical one, halve the loading rate until
+/// the peak is within half the tolerance of equilibrium, or where there is none until a line through the
+/// peaks of the last three is within it of its end at rest; then the step and the precision where the rest
+/// needs it.
 /// @param tolerance  of the peak stress [-], > 0.
 [[nodiscard]] Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve);
 

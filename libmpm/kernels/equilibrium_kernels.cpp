@@ -16,7 +16,7 @@ MPM_INLINE void multiply_cell(const MatrixRow& row, int i) {
   double f[8] = {0, 0, 0, 0, 0, 0, 0, 0};
   unrolled<8>([&](auto r) __attribute__((always_inline)) {
     unrolled<8>([&](auto c) __attribute__((always_inline)) {
-      f[r.value] -= row.matrices[entry(r.value, c.value) * row.stride + i] * u[c.value];
+      f[r.value] -= double(row.matrices[entry(r.value, c.value) * row.stride + i]) * u[c.value];
     });
   });
   row.lower.left_x[i] = f[0];

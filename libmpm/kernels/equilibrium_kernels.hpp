@@ -20,7 +20,7 @@ inline constexpr int matrix_entries = 36;
 struct MatrixRow {
   int cells;                                                ///< padded number of cells
   std::ptrdiff_t stride;                                    ///< between planes
-  const double* matrices;                                   ///< [Pa]
+  const float* matrices;                                    ///< [Pa]
   const double *ux_lower, *uy_lower, *ux_upper, *uy_upper;  ///< displacements of the two rows of nodes [m]
   kernels::NodeForces<double> lower, upper;                 ///< out
 };

@@ -39,6 +39,7 @@ namespace {
 
 /// Share of its first strength below which a softening point is taken to be cracked through.
 constexpr double exhausted = 1e-3;
+constexpr double tooth_ratio = 0.9;  ///< of the stiffness of a tooth to that of the one before [-]
 
 /// The elastic stress less what a crack does not carry.
 Stress<double> closed_crack(const Phase& phase, const Stress<double>& elastic, const DamageLaw& law) {
@@ -93,6 +94,46 @@ Response crushed(const PointState& point, const DamageLaw& law) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Strain of the curve at which its secant is this share of the elastic stiffness [-].
+double strain_of_secant(const Softening& curve, double kept) {
+  const double young = curve.peak / curve.onset;
+  double low = curve.onset;
+  double high = curve.onset / kept;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (kept * young * middle < curve.stress_at(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// What the curve has dissipated when it unloads from a strain [J/m^3].
+double dissipated(const Softening& curve, double strain) {
+  const double stress = curve.stress_at(strain);
+  return 0.5 * curve.peak * curve.onset + (curve.peak - stress) * curve.scale - 0.5 * stress * strain;
+}
+
+}  // namespace
+
+Tooth next_tooth(const Softening& curve, double kept, double elastic) {
+  const double young = curve.peak / curve.onset;
+  const double reached = elastic / young;
+  Tooth tooth{1, curve.peak};
+  double released = 0;
+  while (true) {
+    const double fall = tooth.strength / (tooth.kept * young);  // strain at which this tooth ends
+    if (tooth.kept < 0.999 * kept && fall > reached) return tooth;
+    const double next = tooth_ratio * tooth.kept;
+    released += 0.5 * (tooth.kept - next) * young * fall * fall;
+    if (curve.stress_at(strain_of_secant(curve, next)) < exhausted * curve.peak) return {};
+    const double after = tooth_ratio * next;
+    const double due = dissipated(curve, strain_of_secant(curve, after)) - released;
+    const double stress = next * std::sqrt(2 * std::max(due, 0.0) * young / (next - after));
+    tooth = {next, std::min(curve.peak, stress)};
+  }
+}
 
 PointState intact_point(const Phase& phase, double factor) {
   return {.phase = &phase,

@@ -29,6 +29,19 @@ struct Softening {
 /// fracture energy.
 [[nodiscard]] double widest_band(const Phase& phase, Plane plane, double peak);
 
+/// A softening point whose stress falls and rises by teeth, along secants of its softening curve.
+struct Tooth {
+  double kept = 0;      ///< share of its stiffness that remains [-]; 0 = cracked through
+  double strength = 0;  ///< largest principal stress that it carries with it [Pa]
+};
+/// The tooth after a point has reached its strength. Each keeps nine tenths of the stiffness of the one
+/// before; its strength is such that all teeth so far have dissipated what the curve dissipates up to the
+/// next secant, and no more than the peak. So the fracture energy is exact, and the peak is that of the
+/// curve. Source: after Rots, Invernizzi, Int. J. Numer. Anal. Meth. Geomech. 28 (2004), saw-tooth softening.
+/// @param kept     share of its stiffness that the point has now [-].
+/// @param elastic  largest principal stress of the intact point [Pa]; teeth that it exceeds are passed over.
+[[nodiscard]] Tooth next_tooth(const Softening& curve, double kept, double elastic);
+
 /// Largest principal strain in the plane for an elastic stress [-].
 [[nodiscard]] double largest_strain(const Phase& phase, Plane plane, const Stress<double>& elastic);
 

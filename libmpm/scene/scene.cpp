@@ -179,11 +179,6 @@ void check_quasi_static(Faults& faults, const Scene& scene) {
                  "needs the ITZ as pixels, itz.mode = \"mask\"", cure);
   faults.require(scene.damage.crack_closure == CrackClosure::off, "solver.method", "quasi_static",
                  "is not made yet for damage.crack_closure", cure);
-  for (const auto& phase : scene.phases)
-    if (phase)
-      faults.require(!phase->softens(), "phases." + phase->name + ".fracture_energy",
-                     text(phase->fracture_energy, "J/m2"),
-                     "is not made yet for solver.method = \"quasi_static\"", cure);
 }
 
 void check_solver(Faults& faults, const Scene& scene) {

@@ -15,7 +15,7 @@ void BandSolver::add(int row, int col, double value) {
   if (col <= row) at(row, col) += value;
 }
 
-void BandSolver::factorise() {
+void BandSolver::factorise(double tolerance) {
   double largest = 0;
   for (int i = 0; i < unknowns_; ++i) largest = std::max(largest, at(i, i));
   for (int i = 0; i < unknowns_; ++i) {
@@ -27,7 +27,7 @@ void BandSolver::factorise() {
       if (j < i)
         at(i, j) = sum * at(j, j);
       else  // what is left of a singular row is rounding; the diagonal is kept as its inverse, 0 = held
-        at(i, i) = sum > 1e-12 * whole && sum > 1e-14 * largest ? 1 / std::sqrt(sum) : 0;
+        at(i, i) = sum > tolerance * whole && sum > 1e-14 * largest ? 1 / std::sqrt(sum) : 0;
     }
   }
 }

@@ -14,7 +14,8 @@ class BandSolver {
   void reset(int unknowns, int band);
   /// @pre |row - col| <= band.
   void add(int row, int col, double value);
-  void factorise();
+  /// @param tolerance  share of its diagonal below which what is left of a row counts as nothing [-].
+  void factorise(double tolerance = 1e-12);
   /// In place.   @pre factorised.
   void solve(std::vector<double>& x) const;
   [[nodiscard]] int unknowns() const { return unknowns_; }

@@ -9,6 +9,7 @@ namespace mpm {
 namespace {
 
 constexpr int most_iterations = 2000;  ///< of one solve
+constexpr double accuracy = 1e-7;      ///< of the displacements in the norm of the energy [-]
 
 /// The plan with cells of nothing beyond the right and the upper edge, so that the grid can be halved.
 Plan with_padding(Plan plan) {
@@ -72,9 +73,26 @@ Equilibrium::Equilibrium(const Scene& scene, const Plan& plan, const StrengthFac
     *field = shape().zeros();
   find_pinned_node();
   move_platens();
+  make_multigrid();
+}
+
+void Equilibrium::make_multigrid() {
   const FineGrid& fine = *this;
-  multigrid_ = std::make_unique<Multigrid>(fine, coarsenings(plan.cells_x, plan.cells_y),
-                                           chosen_equilibrium_kernels(scene.instruction_set));
+  multigrid_ = std::make_unique<Multigrid>(
+      fine, coarsenings(static_cast<int>(scene_.labels.cols()) / scene_.points_per_cell, cells_y_),
+      chosen_equilibrium_kernels(scene_.instruction_set));
+}
+
+bool Equilibrium::restore(const AlignedVector<double>& stiffness, const AlignedVector<double>& shear) {
+  const auto possible = [](const AlignedVector<double>& now, const AlignedVector<double>& intact) {
+    return std::equal(now.begin(), now.end(), intact.begin(), intact.end(),
+                      [](double a, double b) { return a >= 0 && a <= b; });
+  };
+  if (!possible(stiffness, points_.stiffness) || !possible(shear, points_.shear)) return false;
+  points_.stiffness = stiffness;
+  points_.shear = shear;
+  make_multigrid();
+  return true;
 }
 
 /// The node nearest the middle of the lower edge that touches a point.
@@ -176,26 +194,27 @@ bool Equilibrium::solve(double reduction) {
   const FlushToZero flush;
   const CellShape grid = shape();
   multigrid_->residual(no_load_, u_, residual_);
+  double energy = -dot(grid, u_, residual_);  // twice that of the displacements, which every iteration lowers
   clear_held(residual_);
-  const double start = dot(grid, residual_, residual_);
-  const double goal = reduction * reduction * start;
-  double left = start;
-  double before = 0;
-  for (int i = 0; i < most_iterations && left > goal; ++i, ++iterations_) {
+  double goal = 0;
+  double left = 0;  // about the square of the error in the norm of the energy
+  for (int i = 0; i < most_iterations; ++i, ++iterations_) {
     multigrid_->precondition(residual_, preconditioned_);
-    const double now = dot(grid, residual_, preconditioned_);
-    times_and_add(direction_, i > 0 ? now / before : 0, preconditioned_);
-    before = now;
+    const double before = left;
+    left = dot(grid, residual_, preconditioned_);
+    if (i == 0) goal = reduction * reduction * left;
+    if (left <= std::max(goal, accuracy * accuracy * energy)) break;
+    times_and_add(direction_, i > 0 ? left / before : 0, preconditioned_);
     multigrid_->residual(no_load_, direction_, image_);  // minus the stiffness times the direction
     clear_held(image_);
     const double curvature = -dot(grid, direction_, image_);
-    if (!(curvature > 0)) break;
-    add_times(u_, now / curvature, direction_);
-    add_times(residual_, now / curvature, image_);
-    left = dot(grid, residual_, residual_);
+    if (!(curvature > 0)) return false;
+    add_times(u_, left / curvature, direction_);
+    add_times(residual_, left / curvature, image_);
+    energy -= left * left / curvature;
   }
   read_reactions();
-  return left <= goal;
+  return left <= std::max(goal, accuracy * accuracy * energy);
 }
 
 void Equilibrium::read_reactions() {

@@ -23,7 +23,9 @@ class Equilibrium final : private FineGrid {
   Equilibrium& operator=(const Equilibrium&) = delete;
 
   /// Solve for the stiffness of now, from the displacements of before.
-  /// @param reduction  of the residual, over what it is at the start [-].   @return whether it was reached.
+  /// @param reduction  of the error in the norm of the energy, over what it is at the start, [-]; an error of
+  /// 1e-7 of
+  ///                   the solution is always good enough.   @return whether it was reached.
   [[nodiscard]] bool solve(double reduction);
 
   /// Gives points another share of their stiffness, from the next solve on.
@@ -32,6 +34,10 @@ class Equilibrium final : private FineGrid {
     double kept = 0;                   ///< share of its stiffness that remains [-]
   };
   void change(const std::vector<Change>& changes);
+
+  /// Takes over what points() held in another run of the same scene.
+  /// @return false for a stiffness that is none, or more than that of an intact point.
+  [[nodiscard]] bool restore(const AlignedVector<double>& stiffness, const AlignedVector<double>& shear);
 
   /// Stress of the platens over their strain [Pa]: mean of both.
   [[nodiscard]] double modulus() const { return 0.5 * (modulus_top_ + modulus_bottom_); }
@@ -46,6 +52,12 @@ class Equilibrium final : private FineGrid {
   /// Label of the pixel of a point; a pixel beyond the picture is void.
   [[nodiscard]] const std::uint8_t* label(int row, int plane, int cell) const;
 
+  /// Share of its stiffness that a point has [-].
+  [[nodiscard]] double kept(int row, int plane, int cell) const {
+    const std::uint8_t* of = label(row, plane, cell);
+    return of != nullptr ? share_of(*of, points_.at(row, plane, cell)) : 0;
+  }
+
   [[nodiscard]] const NodeField& displacements() const { return u_; }
   [[nodiscard]] NodeField& displacements() { return u_; }
 
@@ -58,6 +70,7 @@ class Equilibrium final : private FineGrid {
   void clear_held(NodeField& field) const override;
 
   void find_pinned_node();
+  void make_multigrid();
   void move_platens();
   [[nodiscard]] double share_of(std::uint8_t label, std::size_t at) const;
   void read_reactions();

@@ -81,7 +81,7 @@ Multigrid::Multigrid(const FineGrid& fine, int coarsenings, const equilibrium::K
       level.load = level.solution = level.shape.zeros();
       level.matrices.assign(static_cast<std::size_t>(equilibrium::matrix_entries * level.shape.cell_stride() *
                                                      level.shape.cells_y),
-                            0.0);
+                            0.0F);
       for (int row = 0; row < level.shape.cells_y; ++row)
         for (int col = 0; col < level.shape.cells_x; ++col) make_cell(l, row, col);
     }
@@ -95,11 +95,12 @@ Multigrid::Multigrid(const FineGrid& fine, int coarsenings, const equilibrium::K
 CellStiffness Multigrid::cell(std::size_t index, int row, int col) const {
   if (index == 0) return fine_.cell(row, col);
   const Level& level = levels_[index];
-  const double* entry =
+  const float* entry =
       level.matrices.data() + equilibrium::matrix_entries * level.shape.cell_stride() * row + col;
   CellStiffness matrix;
   for (int i = 0; i < 8; ++i)
-    for (int j = i; j < 8; ++j, entry += level.shape.cell_stride()) matrix(i, j) = matrix(j, i) = *entry;
+    for (int j = i; j < 8; ++j, entry += level.shape.cell_stride())
+      matrix(i, j) = matrix(j, i) = double{*entry};
   return matrix;
 }
 
@@ -112,9 +113,9 @@ void Multigrid::make_cell(std::size_t index, int row, int col) {
               index == 1 ? fine_.held(fine_row, fine_col) : HeldNodes());
   }
   Level& level = levels_[index];
-  double* entry = level.matrices.data() + equilibrium::matrix_entries * level.shape.cell_stride() * row + col;
+  float* entry = level.matrices.data() + equilibrium::matrix_entries * level.shape.cell_stride() * row + col;
   for (int i = 0; i < 8; ++i)
-    for (int j = i; j < 8; ++j, entry += level.shape.cell_stride()) *entry = matrix(i, j);
+    for (int j = i; j < 8; ++j, entry += level.shape.cell_stride()) *entry = static_cast<float>(matrix(i, j));
 }
 
 /// The inverse of the block of a node; zero for what is held or has no stiffness.
@@ -176,7 +177,7 @@ void Multigrid::factorise() {
             coarsest_.add(unknown(row + i % 4 / 2, col + i % 2, i / 4),
                           unknown(row + j % 4 / 2, col + j % 2, j / 4), matrix(i, j));
     }
-  coarsest_.factorise();
+  coarsest_.factorise(index == 0 ? 1e-12 : 1e-6);  // coarser matrices have the precision of 32 bits
 }
 
 void Multigrid::update(std::vector<Cell> cells) {

@@ -90,7 +90,7 @@ class Multigrid {
  private:
   struct Level {
     CellShape shape;
-    AlignedVector<double> matrices;      ///< of a coarser grid, see equilibrium::MatrixRow
+    AlignedVector<float> matrices;       ///< of a coarser grid, see equilibrium::MatrixRow
     AlignedVector<double> xx, xy, yy;    ///< inverse of the stiffness of each node
     NodeField load, solution, residual;  ///< empty for the finest grid but the residual
     CellRowForces upper[2], lower;       ///< of the row of cells at hand and of the one below

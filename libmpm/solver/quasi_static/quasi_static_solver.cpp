@@ -8,8 +8,7 @@ namespace mpm {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double first_reduction = 1e-9;  ///< of the residual, of the intact specimen
-constexpr double reduction = 1e-3;        ///< of what the last failures have added to it
+constexpr double reduction = 1e-3;  ///< of the error that the last failures have added
 /// Share of its stiffness that a failed point keeps, so that what has come loose stays where it is.
 constexpr double remainder = 1e-6;
 
@@ -52,55 +51,70 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
   const LatticePoints<double>& points = equilibrium_.points();
   factors_.assign(points.stiffness.size(), 0.0);
   onsets_.assign(points.stiffness.size(), never);
+  if (plan.softens) strengths_.assign(points.stiffness.size(), never);
   const int k = scene.points_per_cell;
   for (int row = 0; row < plan.cells_y; ++row)
     for (int plane = 0; plane < points.planes; ++plane)
       for (int cell = 0; cell < plan.cells_x; ++cell)
         if (const std::uint8_t* label = equilibrium_.label(row, plane, cell);
-            label != nullptr && scene.phases[*label]->can_fail())
-          factors_[points.at(row, plane, cell)] =
-              factors(scene.labels.rows() - 1 - (row * k + plane / k), cell * k + plane % k);
+            label != nullptr && scene.phases[*label]->can_fail()) {
+          const std::size_t at = points.at(row, plane, cell);
+          factors_[at] = factors(scene.labels.rows() - 1 - (row * k + plane / k), cell * k + plane % k);
+          if (plan.softens) strengths_[at] = limits_[*label].tension * factors_[at];
+        }
 }
 
-/// Platen strain at which the point fails whose stress at a platen strain of 1, with its sign, is given.
-QuasiStaticSolver::Onset QuasiStaticSolver::onset_of(const Limits& limits, double factor,
-                                                     const Stress<double>& s) const {
+/// Stress of an intact point at a platen strain of 1, with its sign [Pa].
+Stress<double> QuasiStaticSolver::elastic_at(int row, int plane, int cell) const {
+  const Limits& limits = limits_[*equilibrium_.label(row, plane, cell)];
+  const int k = scene_.points_per_cell;
+  const double xi = (plane % k + 0.5) / k;
+  const double eta = (plane / k + 0.5) / k;
+  const CellDisplacement u = equilibrium_.displacement(row, cell);
+  const double scale = sign_ / plan_.cell_size;
+  const double exx = scale * ((1 - eta) * (u.ux[1] - u.ux[0]) + eta * (u.ux[3] - u.ux[2]));
+  const double eyy = scale * ((1 - xi) * (u.uy[2] - u.uy[0]) + xi * (u.uy[3] - u.uy[1]));
+  const double gxy = scale * ((1 - xi) * (u.ux[2] - u.ux[0]) + xi * (u.ux[3] - u.ux[1]) +
+                              (1 - eta) * (u.uy[1] - u.uy[0]) + eta * (u.uy[3] - u.uy[2]));
+  return elastic_stress(limits.lame, limits.shear, exx, eyy, gxy);
+}
+
+/// Platen strain at which the point fails that carries this stress at a platen strain of 1.
+/// @param strength  largest principal stress that it survives [Pa].
+QuasiStaticSolver::Onset QuasiStaticSolver::onset_of(const Limits& limits, double factor, double strength,
+                                                     const Stress<double>& s) {
   const double mean = 0.5 * (s.xx + s.yy);
   const double half = 0.5 * (s.xx - s.yy);
   const double radius = std::sqrt(half * half + s.xy * s.xy);
   const double normal = limits.normal * (s.xx + s.yy);
   const double first = std::max(mean + radius, normal);
   const double last = std::min(mean - radius, normal);
-  const double tension = first > 0 ? limits.tension * factor / first : never;
+  const double tension = first > 0 ? strength / first : never;
   const double drive = -last * (1 - limits.sine) + factor * first * (1 + limits.sine);
   const double shear = last < 0 && drive > 0 ? factor * limits.cohesion / drive : never;
   return tension <= shear ? Onset{tension, FailureMode::tension} : Onset{shear, FailureMode::shear};
 }
 
+double QuasiStaticSolver::kept_at(int row, int plane, int cell) const {
+  return strengths_.empty() ? 1 : equilibrium_.kept(row, plane, cell);
+}
+
 void QuasiStaticSolver::find_onsets() {
   const LatticePoints<double>& points = equilibrium_.points();
-  const int k = scene_.points_per_cell;
   next_ = never;
   for (int row = 0; row < plan_.cells_y; ++row)
-    for (int plane = 0; plane < points.planes; ++plane) {
-      const double xi = (plane % k + 0.5) / k;
-      const double eta = (plane / k + 0.5) / k;
+    for (int plane = 0; plane < points.planes; ++plane)
       for (int cell = 0; cell < plan_.cells_x; ++cell) {
         const std::size_t at = points.at(row, plane, cell);
         if (factors_[at] <= 0) continue;
         const Limits& limits = limits_[*equilibrium_.label(row, plane, cell)];
-        const CellDisplacement u = equilibrium_.displacement(row, cell);
-        const double scale = sign_ / plan_.cell_size;
-        const double exx = scale * ((1 - eta) * (u.ux[1] - u.ux[0]) + eta * (u.ux[3] - u.ux[2]));
-        const double eyy = scale * ((1 - xi) * (u.uy[2] - u.uy[0]) + xi * (u.uy[3] - u.uy[1]));
-        const double gxy = scale * ((1 - xi) * (u.ux[2] - u.ux[0]) + xi * (u.ux[3] - u.ux[1]) +
-                                    (1 - eta) * (u.uy[1] - u.uy[0]) + eta * (u.uy[3] - u.uy[2]));
-        const Onset onset =
-            onset_of(limits, factors_[at], elastic_stress(limits.lame, limits.shear, exx, eyy, gxy));
+        const double kept = kept_at(row, plane, cell);
+        const Stress<double> s = elastic_at(row, plane, cell);
+        const double strength = strengths_.empty() ? limits.tension * factors_[at] : strengths_[at];
+        const Onset onset = onset_of(limits, factors_[at], strength, {kept * s.xx, kept * s.yy, kept * s.xy});
         next_ = std::min(next_, onset.strain);
         onsets_[at] = onset.mode == FailureMode::shear ? -onset.strain : onset.strain;
       }
-    }
 }
 
 double QuasiStaticSolver::energy() const {
@@ -114,27 +128,67 @@ void QuasiStaticSolver::add_work(double strain) {
   tally_.platen_work += energy() - before;
 }
 
+/// The point is gone.   @return the share of its stiffness that it keeps.
+double QuasiStaticSolver::fail(int row, int plane, int cell, double strain) {
+  const std::size_t at = equilibrium_.points().at(row, plane, cell);
+  const int k = scene_.points_per_cell;
+  const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
+  const int pixel_col = cell * k + plane % k;
+  const bool shear = onsets_[at] < 0;
+  factors_[at] = 0;
+  if (maps_.failure_mode(pixel_row, pixel_col) == 0) {
+    ++(shear ? tally_.shear_failures : tally_.tension_failures);
+    maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
+    maps_.failure_mode(pixel_row, pixel_col) =
+        static_cast<std::uint8_t>(shear ? FailureMode::shear : FailureMode::tension);
+  }
+  if (scene_.damage.residual_stiffness <= 0) --carrying_;
+  return std::max(scene_.damage.residual_stiffness, remainder);
+}
+
+/// The point goes on with less. It counts as failed when half of its strength is lost.
+/// @return the share of its stiffness that it keeps.
+double QuasiStaticSolver::soften(int row, int plane, int cell, double strain) {
+  const std::size_t at = equilibrium_.points().at(row, plane, cell);
+  const Phase& phase = *scene_.phases[*equilibrium_.label(row, plane, cell)];
+  Stress<double> s = elastic_at(row, plane, cell);
+  for (double* one : {&s.xx, &s.yy, &s.xy}) *one *= strain;
+  const double peak = tension_threshold(phase, factors_[at]);
+  const double normal = limits_[*equilibrium_.label(row, plane, cell)].normal * (s.xx + s.yy);
+  const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, normal);
+  const Tooth tooth =
+      next_tooth(softening(phase, scene_.plane, peak, plan_.cell_size), equilibrium_.kept(row, plane, cell),
+                 std::max(principal.first, principal.normal));
+  if (tooth.kept <= std::max(scene_.damage.residual_stiffness, remainder))
+    return fail(row, plane, cell, strain);
+  strengths_[at] = tooth.strength;
+  if (tooth.strength <= 0.5 * peak) {
+    const int k = scene_.points_per_cell;
+    const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
+    const int pixel_col = cell * k + plane % k;
+    if (maps_.failure_mode(pixel_row, pixel_col) == 0) {
+      ++tally_.tension_failures;
+      maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
+      maps_.failure_mode(pixel_row, pixel_col) = static_cast<std::uint8_t>(FailureMode::tension);
+    }
+  }
+  return tooth.kept;
+}
+
 void QuasiStaticSolver::fail_points(double strain, double up_to) {
   const LatticePoints<double>& points = equilibrium_.points();
-  const int k = scene_.points_per_cell;
-  const double kept = std::max(scene_.damage.residual_stiffness, remainder);
   std::vector<Equilibrium::Change> changes;
   for (int row = 0; row < plan_.cells_y; ++row)
     for (int plane = 0; plane < points.planes; ++plane)
       for (int cell = 0; cell < plan_.cells_x; ++cell) {
         const std::size_t at = points.at(row, plane, cell);
         if (factors_[at] <= 0 || std::abs(onsets_[at]) > up_to) continue;
-        const bool shear = onsets_[at] < 0;
-        factors_[at] = 0;
-        ++(shear ? tally_.shear_failures : tally_.tension_failures);
-        const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
-        const int pixel_col = cell * k + plane % k;
-        maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
-        maps_.failure_mode(pixel_row, pixel_col) =
-            static_cast<std::uint8_t>(shear ? FailureMode::shear : FailureMode::tension);
-        changes.push_back({row, plane, cell, kept});
+        const bool softens =
+            onsets_[at] > 0 && scene_.phases[*equilibrium_.label(row, plane, cell)]->softens();
+        changes.push_back({row, plane, cell,
+                           softens ? soften(row, plane, cell, std::max(strain, onsets_[at]))
+                                   : fail(row, plane, cell, strain)});
       }
-  if (scene_.damage.residual_stiffness <= 0) carrying_ -= static_cast<std::int64_t>(changes.size());
   equilibrium_.change(changes);
 }
 
@@ -143,7 +197,7 @@ void QuasiStaticSolver::step() {
   const bool first = steps_ == 0;
   if (!first) fail_points(strain_, std::max(next_, strain_) * (1 + scene_.event_tolerance));
   const double before = energy();
-  lost_ = !equilibrium_.solve(first ? first_reduction : reduction);
+  lost_ = !equilibrium_.solve(first ? 0 : reduction);
   modulus_ = equilibrium_.modulus();
   tally_.released += before - energy();
   find_onsets();
@@ -200,7 +254,7 @@ void QuasiStaticSolver::fill(Frame& frame) const {
       };
       const Phase& phase = *scene_.phases[label];
       const bool failed = phase.can_fail() && factors_[points.at(from_below / k, plane, col / k)] <= 0;
-      const double kept = failed ? scene_.damage.residual_stiffness : 1;
+      const double kept = failed ? scene_.damage.residual_stiffness : kept_at(from_below / k, plane, col / k);
       const Stress<double> s = stress_in_cell(stiffness(phase, scene_.plane), u, xi, eta, plan_.cell_size);
       frame.points.push_back(completed({.id = static_cast<std::uint32_t>(row * cols + col),
                                         .x = (col + 0.5) * scene_.pixel_size + inside(u.ux),
@@ -219,36 +273,39 @@ void QuasiStaticSolver::pass(Archive& archive, Self& self) {
   archive.flag(self.done_);
   archive.block(self.factors_);
   archive.block(self.onsets_);
+  archive.block(self.strengths_);
   archive.raw(&self.next_, 1);
   archive.block(self.equilibrium_.displacements().x);
   archive.block(self.equilibrium_.displacements().y);
   pass_maps(archive, self.maps_);
 }
 
-void QuasiStaticSolver::save(ArchiveWriter& archive) const { pass(archive, *this); }
+void QuasiStaticSolver::save(ArchiveWriter& archive) const {
+  pass(archive, *this);
+  archive.block(equilibrium_.points().stiffness);
+  archive.block(equilibrium_.points().shear);
+}
 
 void QuasiStaticSolver::restore(ArchiveReader& archive) {
   const AlignedVector<double> intact = factors_;
   pass(archive, *this);
+  AlignedVector<double> stiffness = equilibrium_.points().stiffness;
+  AlignedVector<double> shear = equilibrium_.points().shear;
+  archive.block(stiffness);
+  archive.block(shear);
   if (!archive.ok()) return;
-  const LatticePoints<double>& points = equilibrium_.points();
-  std::vector<Equilibrium::Change> changes;
-  const double kept = std::max(scene_.damage.residual_stiffness, remainder);
-  const int k = scene_.points_per_cell;
-  for (int row = 0; row < plan_.cells_y; ++row)
-    for (int plane = 0; plane < points.planes; ++plane)
-      for (int cell = 0; cell < plan_.cells_x; ++cell) {
-        const std::size_t at = points.at(row, plane, cell);
-        if (factors_[at] == intact[at]) continue;
-        if (factors_[at] != 0) return archive.fail("a point of another strength");
-        changes.push_back({row, plane, cell, kept});
-        const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
-        const auto mode = static_cast<FailureMode>(maps_.failure_mode(pixel_row, cell * k + plane % k));
-        if (mode == FailureMode::none) return archive.fail("a failure without a mode");
-        ++(mode == FailureMode::shear ? tally_.shear_failures : tally_.tension_failures);
-      }
-  if (scene_.damage.residual_stiffness <= 0) carrying_ -= static_cast<std::int64_t>(changes.size());
-  equilibrium_.change(changes);
+  std::int64_t gone = 0;
+  for (std::size_t at = 0; at < intact.size(); ++at) {
+    if (factors_[at] == intact[at]) continue;
+    if (factors_[at] != 0) return archive.fail("a point of another strength");
+    ++gone;
+  }
+  if (scene_.damage.residual_stiffness <= 0) carrying_ -= gone;
+  for (const std::uint8_t mode : maps_.failure_mode.reshaped()) {
+    tally_.tension_failures += mode == static_cast<std::uint8_t>(FailureMode::tension) ? 1 : 0;
+    tally_.shear_failures += mode == static_cast<std::uint8_t>(FailureMode::shear) ? 1 : 0;
+  }
+  if (!equilibrium_.restore(stiffness, shear)) archive.fail("points of an impossible stiffness");
 }
 
 }  // namespace mpm

@@ -63,7 +63,12 @@ class QuasiStaticSolver {
   };
 
   void step();
-  [[nodiscard]] Onset onset_of(const Limits& limits, double factor, const Stress<double>& stress) const;
+  [[nodiscard]] static Onset onset_of(const Limits& limits, double factor, double strength,
+                                      const Stress<double>& stress);
+  [[nodiscard]] Stress<double> elastic_at(int row, int plane, int cell) const;
+  [[nodiscard]] double kept_at(int row, int plane, int cell) const;
+  double fail(int row, int plane, int cell, double strain);
+  double soften(int row, int plane, int cell, double strain);
   void find_onsets();
   void add_work(double strain);
   void fail_points(double strain, double up_to);
@@ -77,8 +82,10 @@ class QuasiStaticSolver {
   Equilibrium equilibrium_;
   std::vector<Limits> limits_;     ///< by label
   AlignedVector<double> factors_;  ///< q of each point as in LatticePoints [-]; 0 = it cannot fail (any more)
-  AlignedVector<double> onsets_;   ///< strain at which each point fails [-]; negative = in shear
-  double next_ = 0;                ///< smallest of them [-]
+  AlignedVector<double>
+      strengths_;  ///< largest principal stress that a softening point carries [Pa]; may be empty
+  AlignedVector<double> onsets_;  ///< strain at which each point fails [-]; negative = in shear
+  double next_ = 0;               ///< smallest of them [-]
   FailureMaps maps_;
   Tally tally_;
   double sign_ = 1;     ///< of the platen strain

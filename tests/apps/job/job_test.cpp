@@ -109,6 +109,21 @@ TEST(BuildScene, RefusesAnEdgeAtWhichThePlatenTouchesNothing) {
   EXPECT_EQ(complaint_about(specimen_of({"00", "02", "20", "00"}), {}), "accepted");
 }
 
+TEST(BuildScene, RefusesASpecimenInTwoParts) {
+  const specimen::Specimen parts = specimen_of({"2222", "2222", "0000", "0000", "2222", "2222"});
+  const std::string refusal =
+      "specimen: void from side to side, 2 mm below its top edge; must hold together from platen to platen; "
+      "look at the phases with mesopix inspect; convert.class_phases says which class is void";
+  EXPECT_EQ(complaint_about(parts, {}), refusal);
+  app::Settings settings;
+  settings.scene.kinematics = mpm::Kinematics::moving;
+  EXPECT_EQ(complaint_about(parts, settings), refusal);
+  settings.scene.loading.direction = mpm::Direction::compression;  // they may still meet
+  EXPECT_EQ(complaint_about(parts, settings), "accepted");
+  // Cells that share a corner hold together; a cell may be void in part.
+  EXPECT_EQ(complaint_about(specimen_of({"0022", "0022", "2200", "2200", "0200", "2200"}), {}), "accepted");
+}
+
 TEST(BuildScene, LetsASpecimenWithoutPlatensFlyAnywhereButNotRest) {
   app::Settings settings;
   settings.scene.loading.direction = mpm::Direction::none;

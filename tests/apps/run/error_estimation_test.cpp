@@ -65,6 +65,44 @@ TEST(ErrorEstimate, FindsWhatEachSourceAdds) {
     EXPECT_NEAR(other.loading.stop_strain, 1.3 * 2e-4, 1e-12) << "they need not go far past the peak";
 }
 
+// Where points fail, slow rates tend to something else than equilibrium.
+TEST(ErrorEstimate, ComparesTheRateWithEquilibriumWherePointsFail) {
+  mpm::Scene scene = square(12);
+  scene.phases[1]->tensile_scale = 3e6;
+  std::vector<mpm::Scene> solved;
+  const auto solve = [&](const mpm::Scene& other) {
+    solved.push_back(other);
+    mpm::Result result;
+    result.peak_stress = other.method == mpm::SolverMethod::quasi_static ? 5 : 4;
+    result.peak_strain = 2e-4;
+    return result;
+  };
+  const mpm::Result base = solve(scene);
+  const auto estimate = app::estimate_error(scene, base, solve);
+  EXPECT_EQ(estimate.sources[0].compared, "equilibrium");
+  EXPECT_NEAR(estimate.sources[0].stress_error, 1.25 * 0.25, 1e-12);
+  EXPECT_GE(solved[1].loading.stop_strain, 3 * 2e-4) << "its peak may come later";
+  scene.damage.crack_closure = mpm::CrackClosure::unilateral;
+  EXPECT_NE(app::estimate_error(scene, base, solve).sources[0].compared, "equilibrium");
+  const app::Tolerated found = app::meet_tolerance(square(12), 0.5, solve);
+  EXPECT_TRUE(found.met);
+}
+
+TEST(Tolerance, IsNotMetByAPlateauBesideEquilibrium) {
+  mpm::Scene scene = square(32);
+  scene.phases[1]->tensile_scale = 3e6;
+  int runs = 0;
+  const app::Tolerated found = app::meet_tolerance(scene, 0.02, [&](const mpm::Scene& other) {
+    ++runs;
+    mpm::Result result = made_up(other);
+    if (other.method == mpm::SolverMethod::quasi_static) result.peak_stress = 4.4e6;
+    return result;
+  });
+  EXPECT_FALSE(found.met);
+  EXPECT_GT(found.estimate.stress_error(), 0.05);
+  EXPECT_LT(runs, 16) << "it gives up";
+}
+
 // The rates 4, 2 and 1 give 10, 6 and 6, which lie on no line.
 TEST(ErrorEstimate, AddsTheScatterAboutTheLineThroughTheRates) {
   const mpm::Scene scene = square(12);
@@ -136,7 +174,7 @@ TEST(Tolerance, SaysWhenItIsNotMet) {
   EXPECT_LT(run, 12) << "it gives up";
 }
 
-// The paper's specimen on coarse pixels: what a slow run with short steps gives lies within the estimate.
+// The paper's specimen on coarse pixels: what equilibrium gives, failure by failure, lies within the estimate.
 TEST(ErrorEstimate, BracketsTheErrorOnThePapersSpecimen) {
   const app::Settings settings = app::reproduce::settings_of(
       {"tension", {{"generate.pixel_size", "1.5 mm"}, {"loading.stop_strain", "2.5e-4"}}, false});
@@ -145,10 +183,12 @@ TEST(ErrorEstimate, BracketsTheErrorOnThePapersSpecimen) {
   mpm::Scene scene = app::build_scene(specimen, settings);
   scene.threads = 1;
   const auto solve = [](const mpm::Scene& it) { return mpm::simulate(it); };
-  mpm::Scene slow = scene;
-  slow.loading.velocity = 0.01;
-  slow.cfl = 0.25;
-  const mpm::Result reference = solve(slow);
+  mpm::Scene still = scene;
+  still.method = mpm::SolverMethod::quasi_static;
+  still.event_tolerance = 0;
+  still.loading.stop_drop = 0.8;
+  still.loading.stop_strain = 1e-3;
+  const mpm::Result reference = solve(still);
   for (const double velocity : {0.4, 0.2, 0.1}) {
     scene.loading.velocity = velocity;
     const mpm::Result base = solve(scene);
@@ -156,7 +196,7 @@ TEST(ErrorEstimate, BracketsTheErrorOnThePapersSpecimen) {
     estimate.sources.pop_back();  // the reference has the same pixels
     const double error = std::abs(reference.peak_stress / base.peak_stress - 1);
     EXPECT_GE(estimate.stress_error(), error) << velocity;
-    EXPECT_LT(estimate.stress_error(), 5 * error + 0.01) << velocity << ": an estimate of anything brackets";
+    EXPECT_LT(estimate.stress_error(), 5 * error + 0.02) << velocity << ": an estimate of anything brackets";
   }
 }
 

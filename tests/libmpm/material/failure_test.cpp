@@ -254,4 +254,43 @@ TEST(LargestStrain, InvertsTheStiffness) {
   }
 }
 
+TEST(Softening, TeethKeepPeakAndFractureEnergy) {
+  mpm::Phase phase = mpm::concrete_phases()[1];
+  for (const double energy : {15.0, 60.0, 400.0}) {
+    phase.fracture_energy = energy;
+    const double young = phase.young / (1 - phase.poisson * phase.poisson);
+    const double band = 0.5e-3;
+    const mpm::Softening curve = mpm::softening(phase, mpm::Plane::strain, 3e6, band);
+    double released = 0;
+    int teeth = 0;
+    mpm::Tooth now{1, curve.peak};
+    while (now.kept > 0) {
+      const double strain = now.strength / (now.kept * young);
+      const mpm::Tooth next = mpm::next_tooth(curve, now.kept, young * strain);
+      // The triangle between the secants of this tooth and of the next one is what breaks.
+      released += 0.5 * (now.kept - next.kept) * young * strain * strain;
+      EXPECT_LT(next.kept, now.kept);
+      EXPECT_LE(next.strength, curve.peak);
+      if (next.kept > 0) {
+        EXPECT_NEAR(next.strength, curve.stress_at(strain), 0.15 * curve.peak) << strain;
+      }
+      now = next;
+      ++teeth;
+    }
+    EXPECT_NEAR(released * band, energy, 0.005 * energy) << teeth;
+    EXPECT_LT(teeth, 200);
+  }
+}
+
+TEST(Softening, TeethThatAreExceededArePassedOver) {
+  mpm::Phase phase = mpm::concrete_phases()[1];
+  phase.fracture_energy = 60;
+  const mpm::Softening curve = mpm::softening(phase, mpm::Plane::strain, 3e6, 0.5e-3);
+  const double young = curve.peak / curve.onset;
+  const mpm::Tooth far = mpm::next_tooth(curve, 1, young * 20 * curve.onset);
+  EXPECT_GT(far.strength / (far.kept * young), 20 * curve.onset);
+  EXPECT_LT(far.kept, 0.05);
+  EXPECT_EQ(mpm::next_tooth(curve, 1, young * 1e6 * curve.onset).kept, 0);
+}
+
 }  // namespace failure_test

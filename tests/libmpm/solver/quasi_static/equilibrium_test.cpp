@@ -19,7 +19,7 @@ Scene with_cells(Scene scene, int points) {
 
 double modulus(const Scene& scene, bool* solved = nullptr) {
   Equilibrium equilibrium(scene, mpm::plan(scene), mpm::StrengthFactors(scene, false));
-  const bool ok = equilibrium.solve(1e-9);
+  const bool ok = equilibrium.solve(0);
   EXPECT_TRUE(ok);
   if (solved != nullptr) *solved = ok;
   EXPECT_NEAR(equilibrium.modulus_top(), equilibrium.modulus_bottom(), 1e-6 * equilibrium.modulus());
@@ -34,7 +34,7 @@ TEST(Equilibrium, AUniformBlockHasTheModulusOfItsPhase) {
       Scene scene = with_cells(samples::unbreakable(samples::mortar_block(24, 36)), points);
       scene.phases[2]->poisson = poisson;
       const double expected = scene.phases[2]->young / (1 - poisson * poisson);
-      EXPECT_NEAR(modulus(scene), expected, 1e-7 * expected) << points << " " << poisson;
+      EXPECT_NEAR(modulus(scene), expected, 1e-6 * expected) << points << " " << poisson;
     }
 }
 
@@ -104,7 +104,7 @@ TEST(Equilibrium, NeedsAFewIterationsWhateverTheNumberOfPixels) {
   for (const int pixels : {40, 80, 160}) {
     const Scene scene = with_cells(samples::unbreakable(samples::small_concrete(pixels, pixels)), 2);
     Equilibrium equilibrium(scene, mpm::plan(scene), mpm::StrengthFactors(scene, false));
-    ASSERT_TRUE(equilibrium.solve(1e-8));
+    ASSERT_TRUE(equilibrium.solve(0));
     EXPECT_LT(equilibrium.iterations(), 20) << pixels;
   }
 }
@@ -119,8 +119,8 @@ TEST(Equilibrium, FollowsChangesOfItsPoints) {
   for (int cell = 3; cell < 20; ++cell) changes.push_back({17, 0, cell, 1e-6});
   one.change(changes);
   for (const Equilibrium::Change& change : changes) two.change({change});
-  ASSERT_TRUE(one.solve(1e-9));
-  ASSERT_TRUE(two.solve(1e-9));
+  ASSERT_TRUE(one.solve(0));
+  ASSERT_TRUE(two.solve(0));
   EXPECT_EQ(one.modulus(), two.modulus());
   EXPECT_LT(one.modulus(), 0.7 * modulus(scene));
 }

@@ -94,23 +94,76 @@ TEST(QuasiStatic, EndsWhenTheStressHasDropped) {
   EXPECT_LT(result.history.back().stress, 0.5 * result.peak_stress);
 }
 
-TEST(QuasiStatic, GoesOnAsIfItHadNeverStopped) {
-  const Scene scene = concrete(24, 24);
-  const Result whole = mpm::simulate(scene);
-  mpm::Checkpoint kept;
-  mpm::RunHooks hooks;
-  int rows = 0;
-  hooks.observer = [&](const mpm::Progress&) { return ++rows < 20; };
-  hooks.checkpoints.sink = [&](const mpm::Checkpoint& checkpoint) { kept = checkpoint; };
-  const Result half = mpm::simulate(scene, hooks);
-  EXPECT_EQ(half.stop, mpm::StopReason::interrupted);
-  const Result resumed = mpm::resume(scene, kept);
-  ASSERT_EQ(resumed.history.size(), whole.history.size());
-  for (std::size_t i = 0; i < whole.history.size(); ++i) {
-    EXPECT_EQ(resumed.history[i].stress, whole.history[i].stress) << i;
-    EXPECT_EQ(resumed.history[i].released, whole.history[i].released) << i;
+/// A bar of one weak row that softens, pulled until it is through.
+Scene softening_bar(int rows, double fracture_energy) {
+  Scene scene = samples::unbreakable(samples::mortar_block(rows, 8));
+  scene.method = mpm::SolverMethod::quasi_static;
+  scene.pixel_cells = true;
+  scene.points_per_cell = 1;
+  scene.loading.stop_strain = 0.5;
+  for (auto& phase : scene.phases)
+    if (phase) phase->poisson = 0;
+  mpm::Phase weak = *scene.phases[2];
+  weak.tensile_scale = 3e6;
+  weak.weibull_modulus = 1e9;
+  weak.fracture_energy = fracture_energy;
+  scene.phases[samples::aggregate] = weak;
+  scene.labels.row(rows / 2).setConstant(samples::aggregate);
+  return scene;
+}
+
+TEST(QuasiStatic, ACrackBandDissipatesItsFractureEnergy) {
+  for (const int rows : {4, 12})
+    for (const double energy : {40.0, 100.0}) {
+      const Scene scene = softening_bar(rows, energy);
+      const Result result = mpm::simulate(scene);
+      EXPECT_NEAR(result.peak_stress, 3e6, 100) << rows;
+      EXPECT_EQ(result.tension_failures, 8);
+      EXPECT_NEAR(result.history.back().released, energy * scene.width(), 0.01 * energy * scene.width())
+          << rows << " rows, " << energy << " J/m2";
+    }
+}
+
+TEST(QuasiStatic, ASofteningStripFollowsItsCurve) {
+  const Scene scene = softening_bar(6, 60);
+  const Result result = mpm::simulate(scene);
+  const mpm::Phase& weak = *scene.phases[samples::aggregate];
+  const mpm::Softening curve = mpm::softening(weak, scene.plane, 3e6, scene.pixel_size);
+  int compared = 0;
+  for (const mpm::HistoryRow& row : result.history) {
+    if (row.stress > 2.9e6 || row.stress < 0.3e6) continue;
+    // Strain of the row that softens: what the others do not take.
+    const double inside = row.strain * scene.height() - row.stress / weak.young * 5 * scene.pixel_size;
+    EXPECT_NEAR(row.stress, curve.stress_at(inside / scene.pixel_size), 0.06 * row.stress);
+    ++compared;
   }
-  EXPECT_TRUE((resumed.failure_mode == whole.failure_mode).all());
+  EXPECT_GT(compared, 10);
+}
+
+TEST(QuasiStatic, GoesOnAsIfItHadNeverStopped) {
+  for (const double energy : {0.0, 100.0}) {
+    Scene scene = concrete(24, 24);
+    for (auto& phase : scene.phases)
+      if (phase && phase->can_crack()) {
+        phase->fracture_energy = energy;
+        phase->weibull_modulus = energy > 0 ? 4 : 1.5;
+      }
+    const Result whole = mpm::simulate(scene);
+    mpm::Checkpoint kept;
+    mpm::RunHooks hooks;
+    int rows = 0;
+    hooks.observer = [&](const mpm::Progress&) { return ++rows < 20; };
+    hooks.checkpoints.sink = [&](const mpm::Checkpoint& checkpoint) { kept = checkpoint; };
+    const Result half = mpm::simulate(scene, hooks);
+    EXPECT_EQ(half.stop, mpm::StopReason::interrupted);
+    const Result resumed = mpm::resume(scene, kept);
+    ASSERT_EQ(resumed.history.size(), whole.history.size());
+    for (std::size_t i = 0; i < whole.history.size(); ++i) {
+      EXPECT_EQ(resumed.history[i].stress, whole.history[i].stress) << i;
+      EXPECT_EQ(resumed.history[i].released, whole.history[i].released) << i;
+    }
+    EXPECT_TRUE((resumed.failure_mode == whole.failure_mode).all());
+  }
 }
 
 TEST(QuasiStatic, FramesShowTheStressThatIsCarried) {
