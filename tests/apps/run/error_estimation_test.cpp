@@ -174,7 +174,8 @@ TEST(Tolerance, SaysWhenItIsNotMet) {
   EXPECT_LT(run, 12) << "it gives up";
 }
 
-// The paper's specimen on coarse pixels: what equilibrium gives, failure by failure, lies within the estimate.
+// The paper's specimen on coarse pixels: what equilibrium gives, failure by failure, lies within the
+// estimate.
 TEST(ErrorEstimate, BracketsTheErrorOnThePapersSpecimen) {
   const app::Settings settings = app::reproduce::settings_of(
       {"tension", {{"generate.pixel_size", "1.5 mm"}, {"loading.stop_strain", "2.5e-4"}}, false});
