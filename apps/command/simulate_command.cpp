@@ -161,6 +161,9 @@ class SimulateCommand : public SettingsCommand {
     if ((estimate_error_ || wanted) && !output::has_platens(job.scene))
       throw Rejected(Exit::usage, wanted ? "--tolerance" : "--estimate-error", "there are no platens",
                      "needs a test in tension or compression");
+    if (wanted && job.scene.method == mpm::SolverMethod::quasi_static)
+      throw Rejected(Exit::usage, "--tolerance", tolerance_, "is for explicit runs",
+                     "choose --event-tolerance");
     const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
     const InterruptGuard guard;
     try {

@@ -100,6 +100,9 @@ class Task {
     if (estimate != nullptr && !output::has_platens(scene))
       throw app::Rejected(app::Exit::usage, estimate, "there are no platens",
                           "needs a test in tension or compression");
+    if (tolerance && scene.method == mpm::SolverMethod::quasi_static)
+      throw app::Rejected(app::Exit::usage, "tolerance", option_text(wanted_.tolerance),
+                          "is for explicit runs", "choose event_tolerance");
     if (scene.frames > 0 && wanted_.output.is_none())
       throw app::Rejected(app::Exit::usage, "output.frames", std::to_string(scene.frames),
                           "are written into a folder while the run goes on",

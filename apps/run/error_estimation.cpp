@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "apps/text/complaint.hpp"
 #include "apps/text/figures.hpp"
 #include "libmpm/scene/error.hpp"
 #include "libmpm/solver/plan.hpp"
@@ -296,10 +295,6 @@ mpm::Scene coarsened(const mpm::Scene& scene) {
 }
 
 Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve) {
-  if (scene.method == mpm::SolverMethod::quasi_static)
-    throw Rejected(Exit::usage, "--tolerance", output::percent(tolerance),
-                   "chooses the rate, the step and the precision of explicit runs",
-                   "choose solver.event_tolerance for a quasi-static one");
   Search search(scene, solve);
   Candidate candidate = search.take(search.fastest());
   RateLadder ladder;

@@ -39,7 +39,7 @@ struct Tolerated {
 /// the peak is within half the tolerance of equilibrium, or where there is none until a line through the
 /// peaks of the last three is within it of its end at rest; then the step and the precision where the rest
 /// needs it.
-/// @param tolerance  of the peak stress [-], > 0.
+/// @pre the scene is explicit.   @param tolerance  of the peak stress [-], > 0.
 [[nodiscard]] Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve);
 
 }  // namespace app
