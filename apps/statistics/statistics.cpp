@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <ranges>
 
 namespace app {
 namespace {
@@ -117,10 +116,15 @@ MeanEstimate mean_estimate(const std::vector<double>& values) {
 std::size_t values_needed(const MeanEstimate& estimate, double share) {
   const double wanted = share * std::abs(estimate.mean) / estimate.deviation;
   if (estimate.count < 2 || std::isnan(wanted)) return 0;
-  const auto counts = std::views::iota(std::size_t{2}, most_values);
-  const auto enough = std::ranges::partition_point(  // the factor falls with the count
-      counts, [&](std::size_t count) { return width_factor(count) > wanted; });
-  return enough == counts.end() ? 0 : *enough;
+  std::size_t enough = 2;
+  while (width_factor(enough) > wanted)
+    if ((enough *= 2) > most_values) return 0;
+  std::size_t too_few = enough / 2;  // the factor falls with the count
+  while (enough - too_few > 1) {
+    const std::size_t middle = too_few + (enough - too_few) / 2;
+    (width_factor(middle) > wanted ? too_few : enough) = middle;
+  }
+  return enough;
 }
 
 }  // namespace app

@@ -100,7 +100,7 @@ CellStiffness Multigrid::cell(std::size_t index, int row, int col) const {
   CellStiffness matrix;
   for (int i = 0; i < 8; ++i)
     for (int j = i; j < 8; ++j, entry += level.shape.cell_stride())
-      matrix(i, j) = matrix(j, i) = double{*entry};
+      matrix(i, j) = matrix(j, i) = static_cast<double>(*entry);
   return matrix;
 }
 

@@ -93,7 +93,6 @@ class QuasiStaticSolver {
   double modulus_ = 0;  ///< of the last state [Pa]
   std::int64_t steps_ = 0;
   std::int64_t carrying_ = 0;
-  bool solved_ = false;  ///< the displacements are those of the points that live
   bool done_ = false;
   bool lost_ = false;  ///< no equilibrium was found
 };
