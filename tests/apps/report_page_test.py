@@ -168,6 +168,10 @@ def check_charts(browser):
             f"(() => {{ const c = {place}; const p = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
             " let n = 0; for (let i = 3; i < p.length; i += 4) n += p[i] > 0; return n / (c.width * c.height); })()")
         assert 0.01 < drawn < 0.9, f"{chart}: {drawn:.3f} of the chart is drawn on"
+    # What falls upright keeps both its ends, beside a curve with other places too.
+    columns = browser.run("aligned([{x: [1, 2, 2, 3], y: [1, 3, 0, 1]}, {x: [0, 4], y: [5, 6]}])")
+    assert [y for y in columns[1] if y is not None] == [1, 3, 0, 1], columns
+    assert columns[0] == sorted(set(columns[0])), columns
     boxes = browser.driver.find_elements(By.CSS_SELECTOR, "#chart-stress input")
     picture = "document.querySelector('#chart-stress canvas').toDataURL()"
     for box in boxes:

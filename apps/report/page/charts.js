@@ -4,11 +4,18 @@ function ink(name) {
   return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
 }
 
+/** uPlot keeps one y for each x: what falls upright, as an avalanche does, moves on by less than can be seen. */
+function rising(places) {
+  let last = -Infinity;
+  return places.map((x) => (last = x > last ? x : last + 1e-9 * Math.max(Math.abs(last), 1e-9)));
+}
+
 /** Columns with one common x, as uPlot wants them. */
 function aligned(series) {
-  const first = series[0].x;
-  const is_common = series.every((one) => one.x.length === first.length && one.x.every((x, i) => x === first[i]));
-  return is_common ? [first, ...series.map((one) => one.y)] : uPlot.join(series.map((one) => [one.x, one.y]));
+  const all = series.map((one) => rising(one.x));
+  const [first] = all;
+  const is_common = all.every((places) => places.length === first.length && places.every((x, i) => x === first[i]));
+  return is_common ? [first, ...series.map((one) => one.y)] : uPlot.join(series.map((one, i) => [all[i], one.y]));
 }
 
 class LiveChart {
