@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 #include <sys/wait.h>
@@ -84,11 +85,14 @@ namespace {
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using TemporaryFile = std::unique_ptr<std::FILE, Close>;
+using MemoryFile = std::unique_ptr<std::FILE, Close>;
 
-TemporaryFile temporary_file() {
-  TemporaryFile file(std::tmpfile());
-  if (!file) throw Rejected(Exit::io, "temporary file", std::strerror(errno), "make room in /tmp");
+/// A file in memory, so that another program can be asked even when no disk takes a byte.
+MemoryFile memory_file() {
+  const int descriptor = ::memfd_create("output", MFD_CLOEXEC);
+  MemoryFile file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w+"));
+  if (!file)
+    throw Rejected(Exit::io, "output of another program", std::strerror(errno), "close other programs");
   return file;
 }
 
@@ -114,7 +118,7 @@ ProgramOutcome run_other_program(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  const TemporaryFile out = temporary_file(), err = temporary_file();
+  const MemoryFile out = memory_file(), err = memory_file();
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
