@@ -91,6 +91,8 @@ class CalibrateCommand : public SettingsCommand {
     check_loading(settings.scene);
     settle_source(settings);
     if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
+    if (const std::string note = note_of_left_out(resolved.origins, settings); !note.empty())
+      console.say("note: " + note);
     const Job job = make_job(std::move(settings), console);
     const CalibrationTask task = make_task(job, std::move(target), wish_);
     const FreshFolder folder(

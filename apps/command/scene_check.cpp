@@ -50,6 +50,8 @@ class SceneCheck {
     checked.complaints = std::move(complaints_);
     checked.notes = std::move(notes_);
     if (checked.complaints.empty()) checked.what = words();
+    if (const std::string note = note_of_left_out(resolved_.origins, settings_); !note.empty())
+      checked.notes.push_back(note);
     return checked;
   }
 

@@ -42,7 +42,7 @@ output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const I
   const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
   if (!found.met)
     throw Rejected(
-        Exit::data, "--tolerance", output::percent(tolerance),
+        Exit::data, "--tolerance", output::concise(100 * tolerance) + " %",
         fmt::format("not met: at {} m/s the peak may still be wrong by {}",
                     output::concise(found.scene.loading.velocity, 4),
                     output::percent(found.estimate.stress_error())),
@@ -68,7 +68,8 @@ class SimulateCommand : public SettingsCommand {
     flag("--explain", explain_,
          "print what the run computes, what it leaves out and what that saves, and do no more");
     flag("--estimate-error", estimate_error_,
-         "say how wrong the peak may be, from runs at another rate, step, precision and pixel size");
+         "say how wrong the peak may be, from runs without inertia and with another step, precision and "
+         "pixel size");
     option("--tolerance", tolerance_,
            "choose the rate, the step and the precision that keep the error of the peak stress below this, "
            "e.g. \"1 %\"",
@@ -149,10 +150,10 @@ class SimulateCommand : public SettingsCommand {
       console.out << scene_text(settings, Extent::whole, fs::current_path());
       return Exit::ok;
     }
-    if (const std::vector<std::string> unused = left_out(resolved.origins, settings); !unused.empty())
-      console.say("note: left out, for they have no effect with solver.method = \"" +
-                  output::word_of(settings.scene.method) + "\": " + listed(unused, "and"));
+    const std::string left_out = note_of_left_out(resolved.origins, settings);
+    if (!left_out.empty()) console.say("note: " + left_out);
     Job job = make_job(std::move(settings), console);
+    if (!left_out.empty()) job.notes.push_back(left_out);
     if (explain_) {
       const mpm::Explanation explanation = mpm::explain(job.scene);
       console.out << (json_ ? json_text(explanation_json(explanation)) : explanation_text(explanation));

@@ -82,6 +82,9 @@ class StudyCommand : public Command {
     const std::vector<Member> all = list_members(study);
     const std::vector<Member> members = members_.empty() ? all : wanted(all);
     check_scenes(study, members);
+    if (const std::string note = note_of_left_out(study.base.origins, *members.front().settings);
+        !note.empty())
+      console.say("note: " + note);
     input_.folder().open(study, all);
     if (retry_)
       for (const Member& member : members) input_.folder().forget_failure(member);

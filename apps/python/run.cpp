@@ -68,6 +68,9 @@ class Task {
     const std::optional<double> tolerance = read_tolerance();
     run_->is_given = broken_.given.has_value();
     run_->job = app::make_job(broken_.resolved.settings, broken_.cells());
+    if (std::string note = app::note_of_left_out(broken_.resolved.origins, broken_.resolved.settings);
+        !note.empty())
+      run_->job.notes.push_back(std::move(note));
     check(tolerance);
     std::optional<app::FreshFolder> folder;
     std::optional<app::HeldFolder> held;

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "apps/system/files.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
 #include "specimen/convert/convert.hpp"
@@ -117,18 +118,22 @@ std::vector<Complaint> check_use(const Origins& origins, const Settings& setting
   check_sources(origins, settings, complaints);
   for (const auto& [key, given] : origins) {
     const bool in_file = !given.place.file.empty();
-    if (in_file && !why_unused_by_method(key, settings.scene).empty()) continue;  // see left_out()
+    if (in_file && !why_unused_by_method(key, settings.scene).empty()) continue;  // see note_of_left_out()
     if (const std::string reason = why_unused(key, settings); !reason.empty())
       complaints.push_back(about(given, reason, "remove it"));
   }
   return complaints;
 }
 
-std::vector<std::string> left_out(const Origins& origins, const Settings& settings) {
+std::string note_of_left_out(const Origins& origins, const Settings& settings) {
   std::vector<std::string> keys;
+  std::string reason;
   for (const auto& [key, given] : origins)
-    if (!why_unused_by_method(key, settings.scene).empty()) keys.push_back(key);
-  return keys;
+    if (const std::string why = why_unused_by_method(key, settings.scene); !why.empty()) {
+      keys.push_back(key);
+      reason = why;  // the same for all of them
+    }
+  return keys.empty() ? "" : "left out, for each " + reason + ": " + listed(keys, "and");
 }
 
 Complaint locate(const Origins& origins, Complaint complaint) {

@@ -46,9 +46,9 @@ void apply(const std::vector<Assignment>& assignments, Settings& settings,
 /// specimen.
 [[nodiscard]] std::vector<Complaint> check_use(const Origins& origins, const Settings& settings);
 
-/// Keys that were given but have no effect with the method of solution. Those of a scene file are left out;
-/// those of the command line are complained about.
-[[nodiscard]] std::vector<std::string> left_out(const Origins& origins, const Settings& settings);
+/// Names the keys of a scene file that have no effect with its method of solution and are left out; empty
+/// when there are none. On the command line they are mistakes, see check_use().
+[[nodiscard]] std::string note_of_left_out(const Origins& origins, const Settings& settings);
 
 /// A complaint about a field of the libraries, at the place where the user set it.
 [[nodiscard]] Complaint locate(const Origins& origins, Complaint complaint);

@@ -176,7 +176,7 @@ void check_quasi_static(Faults& faults, const Scene& scene) {
   faults.require(scene.loading.direction != Direction::none, "solver.method", "quasi_static",
                  "needs platens, as with loading.direction = \"tension\"", cure);
   faults.require(scene.extra_points.empty(), "solver.method", "quasi_static",
-                 "needs the ITZ as pixels, itz.mode = \"mask\"", cure);
+                 "needs the ITZ as pixels, itz.mode = \"ring\"", cure);
   faults.require(scene.damage.crack_closure == CrackClosure::off, "solver.method", "quasi_static",
                  "is not made yet for damage.crack_closure", cure);
 }

@@ -75,7 +75,7 @@ TEST_F(SimulateCommand, BreaksInEquilibriumWithoutASettingOfInertia) {
                                      "[loading]\nvelocity = \"0.1 m/s\"\n[solver]\ncfl = 0.4\n"
                                      "method = \"quasi_static\"\ncell = \"pixel\"\n");
   ASSERT_EQ(run({"still.toml", "--estimate-error", "-o", "run"}), Exit::ok) << err_.str();
-  EXPECT_THAT(err_.str(), HasSubstr("note: left out, for they have no effect with solver.method = "
+  EXPECT_THAT(err_.str(), HasSubstr("note: left out, for each has no effect with solver.method = "
                                     "\"quasi_static\": loading.velocity and solver.cfl\n"));
   const json figures = json::parse(test::read_text("run/summary.json"));
   EXPECT_EQ(figures["method"], "quasi_static");
