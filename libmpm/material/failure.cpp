@@ -97,16 +97,16 @@ Response crushed(const PointState& point, const DamageLaw& law) {
 
 namespace {
 
-/// Strain of the curve at which its secant is this share of the elastic stiffness [-].
-double strain_of_secant(const Softening& curve, double kept) {
-  const double young = curve.peak / curve.onset;
-  double low = curve.onset;
-  double high = curve.onset / kept;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (kept * young * middle < curve.stress_at(middle) ? low : high) = middle;
+/// Strain of the curve at which its secant is this share of the elastic stiffness [-], by Newton's method
+/// from a smaller strain: the logarithm of the equation is concave, so that no step goes too far.
+double strain_of_secant(const Softening& curve, double kept, double strain) {
+  for (int i = 0; i < 30; ++i) {
+    const double step = (std::log(kept * strain / curve.onset) + (strain - curve.onset) / curve.scale) /
+                        (1 / strain + 1 / curve.scale);
+    strain -= step;
+    if (std::abs(step) < 1e-14 * strain) break;
   }
-  return low;
+  return strain;
 }
 
 /// What the curve has dissipated when it unloads from a strain [J/m^3].
@@ -121,17 +121,19 @@ Tooth next_tooth(const Softening& curve, double kept, double elastic) {
   const double young = curve.peak / curve.onset;
   const double reached = elastic / young;
   Tooth tooth{1, curve.peak};
+  double next = tooth_ratio;
+  double secant = strain_of_secant(curve, next, curve.onset);  // where the curve has it
   double released = 0;
   while (true) {
     const double fall = tooth.strength / (tooth.kept * young);  // strain at which this tooth ends
     if (tooth.kept < 0.999 * kept && fall > reached) return tooth;
-    const double next = tooth_ratio * tooth.kept;
+    if (curve.stress_at(secant) < exhausted * curve.peak) return {};
     released += 0.5 * (tooth.kept - next) * young * fall * fall;
-    if (curve.stress_at(strain_of_secant(curve, next)) < exhausted * curve.peak) return {};
     const double after = tooth_ratio * next;
-    const double due = dissipated(curve, strain_of_secant(curve, after)) - released;
-    const double stress = next * std::sqrt(2 * std::max(due, 0.0) * young / (next - after));
-    tooth = {next, std::min(curve.peak, stress)};
+    secant = strain_of_secant(curve, after, secant);
+    const double due = std::max(dissipated(curve, secant) - released, 0.0);
+    tooth = {next, std::min(curve.peak, next * std::sqrt(2 * due * young / (next - after)))};
+    next = after;
   }
 }
 

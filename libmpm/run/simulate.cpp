@@ -40,10 +40,6 @@ Result run_from_the_start(const Scene& scene, const Plan& plan, const RunHooks& 
   return run_lattice(scene, plan, run, solver);
 }
 
-/// Without waves, from the start or from an archive.
-Result run_quasi_static(const Scene& scene, const Plan& plan, const RunHooks& hooks,
-                        const Checkpoint* checkpoint);
-
 [[noreturn]] void refuse(const std::string& why, const std::string& cure) {
   throw FileError("checkpoint", why, "", cure);
 }
@@ -54,6 +50,7 @@ void close(ArchiveReader& archive) {
   if (!archive.ok()) refuse("holds " + archive.fault(), "resume from an earlier one, or start again");
 }
 
+/// Without waves, from the start or from an archive.
 Result run_quasi_static(const Scene& scene, const Plan& plan, const RunHooks& hooks,
                         const Checkpoint* checkpoint) {
   Run run(scene, plan, hooks);

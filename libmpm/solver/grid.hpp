@@ -30,6 +30,17 @@ struct Grid {
 /// Grid at rest with the lumped mass of the scene's points (linear weights).
 [[nodiscard]] Grid make_grid(const Scene& scene, const Plan& plan);
 
+/// Of the columns for which a property holds the one nearest the middle, the left one of two; the middle when
+/// there is none.
+template <class Property>
+[[nodiscard]] int nearest_to_middle(int cols, Property&& holds) {
+  const int middle = cols / 2;
+  for (int distance = 0; distance < cols; ++distance)
+    for (const int col : {middle - distance, middle + distance})
+      if (col >= 0 && col < cols && holds(col)) return col;
+  return middle;
+}
+
 /// Number of material points that share each pixel: 1, and one more for every extra point in it.
 [[nodiscard]] PixelField<std::uint16_t> points_per_pixel(const Scene& scene);
 

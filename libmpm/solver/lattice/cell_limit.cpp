@@ -8,48 +8,17 @@
 #include <vector>
 
 #include "libmpm/solver/grid.hpp"
+#include "libmpm/solver/lattice/cell_stiffness.hpp"
 #include "libmpm/solver/lattice/lattice_points.hpp"
 
 namespace mpm {
 namespace {
 
-using CellMatrix = Eigen::Matrix<double, 8, 8>;  ///< of (ux, uy) of the lower left, lower right, upper left,
-                                                 ///< upper right node [Pa], for a unit of thickness
-
-/// Strain (e_xx, e_yy, gamma_xy) over displacement at a place of a cell, times the size of the cell [-].
-Eigen::Matrix<double, 3, 8> strain_matrix(double xi, double eta) {
-  const std::array<double, 4> along_x{-(1 - eta), 1 - eta, -eta, eta};
-  const std::array<double, 4> along_y{-(1 - xi), -xi, 1 - xi, xi};
-  Eigen::Matrix<double, 3, 8> b = Eigen::Matrix<double, 3, 8>::Zero();
-  for (int node = 0; node < 4; ++node) {
-    const auto i = static_cast<std::size_t>(node);
-    b(0, 2 * node) = b(2, 2 * node + 1) = along_x[i];
-    b(1, 2 * node + 1) = b(2, 2 * node) = along_y[i];
-  }
-  return b;
-}
-
-/// @param area  of the point over that of the cell [-].
-void add_point(CellMatrix& cell, const Eigen::Matrix3d& c, double xi, double eta, double area) {
-  const auto b = strain_matrix(xi, eta);
-  cell += area * b.transpose() * c * b;
-}
-
-/// A pixel cell: its middle as a point, and its bending.
-void add_bending(CellMatrix& cell, const Eigen::Matrix3d& c, double area) {
-  const Eigen::Vector4d mode(1, -1, -1, 1);
-  const double k = area * bending_stiffness(c);
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      for (int component = 0; component < 2; ++component)
-        cell(2 * i + component, 2 * j + component) += k * mode(i) * mode(j);
-}
-
 /// Stiffness of the cells of intact points, row by row from below.
-std::vector<CellMatrix> cell_matrices(const Scene& scene, const Plan& plan) {
-  std::vector<CellMatrix> cells(
-      static_cast<std::size_t>(plan.cells_x) * static_cast<std::size_t>(plan.cells_y), CellMatrix::Zero());
-  const auto cell_at = [&](int row, int col) -> CellMatrix& {
+std::vector<CellStiffness> cell_matrices(const Scene& scene, const Plan& plan) {
+  std::vector<CellStiffness> cells(
+      static_cast<std::size_t>(plan.cells_x) * static_cast<std::size_t>(plan.cells_y), CellStiffness::Zero());
+  const auto cell_at = [&](int row, int col) -> CellStiffness& {
     return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.cells_x) +
                  static_cast<std::size_t>(col)];
   };
@@ -60,42 +29,43 @@ std::vector<CellMatrix> cell_matrices(const Scene& scene, const Plan& plan) {
     const int from_below = rows - 1 - row;
     for (int col = 0; col < scene.labels.cols(); ++col)
       if (const auto& phase = scene.phases[scene.labels(row, col)]) {
-        CellMatrix& cell = cell_at(from_below / k, col / k);
+        CellStiffness& cell = cell_at(from_below / k, col / k);
         const Eigen::Matrix3d c = stiffness(*phase, scene.plane);
-        add_point(cell, c, (col % k + 0.5) / k, (from_below % k + 0.5) / k, 1.0 / (k * k * count(row, col)));
-        if (scene.pixel_cells) add_bending(cell, c, 1.0 / count(row, col));
+        cell +=
+            point_stiffness(c, (col % k + 0.5) / k, (from_below % k + 0.5) / k) / (k * k * count(row, col));
+        if (scene.pixel_cells) cell += bending_matrix(c) / count(row, col);
       }
   }
   const ExtraPoints extra = make_extra_points(scene, plan);
   for (std::size_t row = 0; row + 1 < extra.row_begin.size(); ++row)
     for (std::size_t i = extra.row_begin[row]; i < extra.row_begin[row + 1]; ++i) {
       const CellPoint& point = extra.points[i];
-      add_point(cell_at(static_cast<int>(row), point.cell), point.stiffness, point.xi, point.eta,
-                point.share / (k * k));
+      cell_at(static_cast<int>(row), point.cell) +=
+          point.share / (k * k) * point_stiffness(point.stiffness, point.xi, point.eta);
     }
   return cells;
 }
 
-double stiffness_of_node(const CellMatrix& cell, int node) {
-  return cell(2 * node, 2 * node) + cell(2 * node + 1, 2 * node + 1);
+double stiffness_of_node(const CellStiffness& cell, int node) {
+  return cell(node, node) + cell(node + 4, node + 4);
 }
 
 /// Largest square of a frequency of a cell whose nodes have these masses [1/s^2]; nodes without mass stand
 /// still.
-double largest_square(CellMatrix cell, const std::array<double, 4>& masses) {
+double largest_square(CellStiffness cell, const std::array<double, 4>& masses) {
   for (int i = 0; i < 8; ++i) {
-    const double mass = masses[static_cast<std::size_t>(i / 2)];
+    const double mass = masses[static_cast<std::size_t>(i % 4)];
     const double scale = mass > 0 ? 1 / std::sqrt(mass) : 0;
     cell.row(i) *= scale;
     cell.col(i) *= scale;
   }
-  return Eigen::SelfAdjointEigenSolver<CellMatrix>(cell, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  return Eigen::SelfAdjointEigenSolver<CellStiffness>(cell, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
 }  // namespace
 
 double cell_limit(const Scene& scene, const Plan& plan) {
-  const std::vector<CellMatrix> cells = cell_matrices(scene, plan);
+  const std::vector<CellStiffness> cells = cell_matrices(scene, plan);
   const Grid grid = make_grid(scene, plan);
   const auto node_of = [&](std::size_t cell, int node) {
     const int row = static_cast<int>(cell) / plan.cells_x + node / 2;

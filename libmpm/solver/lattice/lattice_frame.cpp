@@ -1,6 +1,5 @@
 // Frames of the lattice, and the point where a run at small strain went wrong. The state is that of the
-// ledger, at the beginning of the last step: displacements of then, with what failed under them. Where a run
-// at small strain went wrong.
+// ledger, at the beginning of the last step: displacements of then, with what failed under them.
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -9,25 +9,6 @@
 namespace mpm {
 
 template <class Real>
-void LatticeSolver<Real>::ForceBuffer::resize(std::ptrdiff_t cells) {
-  // A lane of zeros in front (the cell left of the first node) and behind (the cells right of the last one).
-  length = cells + 3 * kernels::lane_cells;
-  values.assign(static_cast<std::size_t>(4 * length), Real(0));
-}
-
-template <class Real>
-kernels::NodeForces<Real> LatticeSolver<Real>::ForceBuffer::forces() {
-  Real* first = values.data() + kernels::lane_cells;
-  return {first, first + length, first + 2 * length, first + 3 * length};
-}
-
-template <class Real>
-kernels::NodeForces<const Real> LatticeSolver<Real>::ForceBuffer::forces() const {
-  const Real* first = values.data() + kernels::lane_cells;
-  return {first, first + length, first + 2 * length, first + 3 * length};
-}
-
-template <class Real>
 LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
     : scene_(scene),
       plan_(plan),
@@ -68,7 +49,7 @@ void LatticeSolver<Real>::make_bands() {
     Band& band = bands_[static_cast<std::size_t>(i)];
     band.begin = static_cast<int>(static_cast<std::int64_t>(plan_.cells_y) * i / count);
     band.end = static_cast<int>(static_cast<std::int64_t>(plan_.cells_y) * (i + 1) / count);
-    for (ForceBuffer* buffer : {&band.upper[0], &band.upper[1], &band.lower, &band.first_lower})
+    for (ForceBuffer<Real>* buffer : {&band.upper[0], &band.upper[1], &band.lower, &band.first_lower})
       buffer->resize(points_.stride);
     band.suspects.assign(static_cast<std::size_t>(points_.stride), kernels::Flag<Real>{0});
   }
@@ -77,20 +58,8 @@ void LatticeSolver<Real>::make_bands() {
 /// A smooth platen leaves the specimen free to slide; the node nearest the middle of the bottom holds it.
 template <class Real>
 void LatticeSolver<Real>::find_pinned_node() {
-  const int middle = grid_.cols / 2;
-  const auto has_mass = [&](int col) {
-    return col >= 0 && col < grid_.cols && grid_.impulse_over_mass[static_cast<std::size_t>(col)] > 0;
-  };
-  pinned_ = middle;
-  for (int distance = 0; distance < grid_.cols; ++distance) {
-    if (has_mass(middle - distance))
-      pinned_ = middle - distance;
-    else if (has_mass(middle + distance))
-      pinned_ = middle + distance;
-    else
-      continue;
-    return;
-  }
+  pinned_ = nearest_to_middle(
+      grid_.cols, [&](int col) { return grid_.impulse_over_mass[static_cast<std::size_t>(col)] > 0; });
 }
 
 template <class Real>
@@ -140,7 +109,7 @@ void LatticeSolver<Real>::advance_clock(Clock& clock) const {
 }
 
 template <class Real>
-const typename LatticeSolver<Real>::ForceBuffer& LatticeSolver<Real>::last_upper(const Band& band) const {
+const ForceBuffer<Real>& LatticeSolver<Real>::last_upper(const Band& band) const {
   return band.upper[static_cast<std::size_t>((band.end - 1) % 2)];
 }
 
@@ -149,11 +118,11 @@ const typename LatticeSolver<Real>::ForceBuffer& LatticeSolver<Real>::last_upper
 template <class Real>
 void LatticeSolver<Real>::sweep_band(Band& band, const Clock& clock, bool ledger) {
   const double strain = std::abs(clock.displacement) / scene_.height();
-  const ForceBuffer* below = &no_force_;
+  const ForceBuffer<Real>* below = &no_force_;
   for (int row = band.begin; row < band.end; ++row) {
-    ForceBuffer& upper = band.upper[static_cast<std::size_t>(row % 2)];
+    ForceBuffer<Real>& upper = band.upper[static_cast<std::size_t>(row % 2)];
     const bool shared = row == band.begin && row > 0;
-    ForceBuffer& lower = shared ? band.first_lower : band.lower;
+    ForceBuffer<Real>& lower = shared ? band.first_lower : band.lower;
     sweep_cell_row(band, row, lower, upper, strain);
     if (row == 0) {
       sweep_platen_row(band, row, *below, lower, clock);
@@ -166,8 +135,8 @@ void LatticeSolver<Real>::sweep_band(Band& band, const Clock& clock, bool ledger
 }
 
 template <class Real>
-void LatticeSolver<Real>::sweep_cell_row(Band& band, int row, ForceBuffer& lower, ForceBuffer& upper,
-                                         double strain) {
+void LatticeSolver<Real>::sweep_cell_row(Band& band, int row, ForceBuffer<Real>& lower,
+                                         ForceBuffer<Real>& upper, double strain) {
   const auto nodes = grid_.at(row);
   const auto above = grid_.at(row + 1);
   const auto at = points_.row(row);
@@ -198,8 +167,8 @@ void LatticeSolver<Real>::sweep_cell_row(Band& band, int row, ForceBuffer& lower
 }
 
 template <class Real>
-void LatticeSolver<Real>::sweep_node_row(Band& band, int row, const ForceBuffer& below,
-                                         const ForceBuffer& above, const Clock& clock, bool ledger) {
+void LatticeSolver<Real>::sweep_node_row(Band& band, int row, const ForceBuffer<Real>& below,
+                                         const ForceBuffer<Real>& above, const Clock& clock, bool ledger) {
   const auto at = grid_.at(row);
   const kernels::NodeRow<Real> in{
       .nodes = padded(grid_.cols),
@@ -222,8 +191,8 @@ void LatticeSolver<Real>::sweep_node_row(Band& band, int row, const ForceBuffer&
 
 /// The rows of nodes that a platen moves: their vertical motion is given, and what it takes is the reaction.
 template <class Real>
-void LatticeSolver<Real>::sweep_platen_row(Band& band, int row, const ForceBuffer& below,
-                                           const ForceBuffer& above, const Clock& clock) {
+void LatticeSolver<Real>::sweep_platen_row(Band& band, int row, const ForceBuffer<Real>& below,
+                                           const ForceBuffer<Real>& above, const Clock& clock) {
   const bool top = row > 0;
   const double old_velocity = top ? clock.velocity : 0;
   const double new_velocity = top ? clock.next_velocity : 0;

@@ -11,6 +11,7 @@
 #include "libmpm/scene/scene.hpp"
 #include "libmpm/solver/archive.hpp"
 #include "libmpm/solver/failure_maps.hpp"
+#include "libmpm/solver/force_buffer.hpp"
 #include "libmpm/solver/frame.hpp"
 #include "libmpm/solver/grid.hpp"
 #include "libmpm/solver/lattice/lattice_points.hpp"
@@ -57,15 +58,6 @@ class LatticeSolver {
   [[nodiscard]] std::string worst_point() const;
 
  private:
-  /// Forces on the two rows of nodes of a row of cells, with a zero in front that belongs to no cell.
-  struct ForceBuffer {
-    AlignedVector<Real> values;
-    std::ptrdiff_t length = 0;
-    void resize(std::ptrdiff_t cells);
-    [[nodiscard]] kernels::NodeForces<Real> forces();
-    [[nodiscard]] kernels::NodeForces<const Real> forces() const;
-  };
-
   /// The first node that was no number.
   struct Loss {
     std::int64_t step = -1;  ///< -1 = all are numbers
@@ -74,10 +66,10 @@ class LatticeSolver {
 
   /// The rows of cells of one thread. Its lowest row of nodes is shared with the band below.
   struct Band {
-    int begin = 0, end = 0;            ///< rows of cells
-    std::array<ForceBuffer, 2> upper;  ///< of the row at hand and of the one below it, in turn
-    ForceBuffer lower;                 ///< of the row at hand
-    ForceBuffer first_lower;           ///< of the lowest row, kept until the band below is done
+    int begin = 0, end = 0;                  ///< rows of cells
+    std::array<ForceBuffer<Real>, 2> upper;  ///< of the row at hand and of the one below it, in turn
+    ForceBuffer<Real> lower;                 ///< of the row at hand
+    ForceBuffer<Real> first_lower;           ///< of the lowest row, kept until the band below is done
     AlignedVector<kernels::Flag<Real>> suspects;
     std::int64_t tension_failures = 0, shear_failures = 0;
     std::int64_t dead = 0;  ///< points that have lost all stiffness
@@ -108,11 +100,11 @@ class LatticeSolver {
   Clock run_band(std::size_t index, Clock clock, std::int64_t steps, Barrier& barrier);
   void advance_clock(Clock& clock) const;
   void sweep_band(Band& band, const Clock& clock, bool ledger);
-  [[nodiscard]] const ForceBuffer& last_upper(const Band& band) const;
-  void sweep_cell_row(Band& band, int row, ForceBuffer& lower, ForceBuffer& upper, double strain);
-  void sweep_node_row(Band& band, int row, const ForceBuffer& below, const ForceBuffer& above,
+  [[nodiscard]] const ForceBuffer<Real>& last_upper(const Band& band) const;
+  void sweep_cell_row(Band& band, int row, ForceBuffer<Real>& lower, ForceBuffer<Real>& upper, double strain);
+  void sweep_node_row(Band& band, int row, const ForceBuffer<Real>& below, const ForceBuffer<Real>& above,
                       const Clock& clock, bool ledger);
-  void sweep_platen_row(Band& band, int row, const ForceBuffer& below, const ForceBuffer& above,
+  void sweep_platen_row(Band& band, int row, const ForceBuffer<Real>& below, const ForceBuffer<Real>& above,
                         const Clock& clock);
   void note_loss(Band& band, int row, const Clock& clock) const;
   [[nodiscard]] bool is_lost(const Clock& clock);
@@ -166,7 +158,7 @@ class LatticeSolver {
   kernels::SweepCells<Real> sweep_cells_;
   kernels::SweepNodes<Real> sweep_nodes_;
   kernels::SweepNodes<Real> sweep_nodes_ledger_;
-  ForceBuffer no_force_;
+  ForceBuffer<Real> no_force_;
   std::vector<Band> bands_;
   std::vector<kernels::NodeSums> row_sums_;
   std::vector<double> row_released_, row_damped_;  ///< [J/m]

@@ -17,6 +17,8 @@ Plan with_padding(Plan plan) {
   const auto up = [&](int cells) { return (cells + multiple - 1) / multiple * multiple; };
   plan.cells_x = up(plan.cells_x);
   plan.cells_y = up(plan.cells_y);
+  plan.features.check = kernels::Check::none;  // failures are looked for where the sweeps do not
+  plan.features.crack_closure = false;
   return plan;
 }
 
@@ -56,11 +58,7 @@ Equilibrium::Equilibrium(const Scene& scene, const Plan& plan, const StrengthFac
       plan_(with_padding(plan)),
       points_(make_points<double>(scene, plan_, factors)),
       stiffness_(scene) {
-  kernels::Features features = plan.features;
-  features.check = kernels::Check::none;
-  features.crack_closure = false;
-  const kernels::Kernels& kernels = chosen_kernels(scene.instruction_set);
-  sweep_cells_ = kernels.cells<double>(features);
+  sweep_cells_ = chosen_kernels(scene.instruction_set).cells<double>(plan_.features);
   for (const auto& phase : scene.phases)
     intact_.push_back(!phase                            ? 0
                       : plan.features.one_poisson_ratio ? phase->young
@@ -99,19 +97,12 @@ bool Equilibrium::restore(const AlignedVector<double>& stiffness, const AlignedV
 void Equilibrium::find_pinned_node() {
   const int cols = static_cast<int>(scene_.labels.cols()) / scene_.points_per_cell;
   const auto is_solid = [&](int col) {
-    if (col < 0 || col > cols) return false;
     for (int cell = std::max(0, col - 1); cell <= std::min(cols - 1, col); ++cell)
       for (int plane = 0; plane < points_.planes; ++plane)
         if (points_.stiffness[points_.at(0, plane, cell)] > 0) return true;
     return false;
   };
-  const int middle = (cols + 1) / 2;
-  for (int distance = 0; distance <= cols; ++distance)
-    for (const int col : {middle - distance, middle + distance})
-      if (is_solid(col)) {
-        pinned_ = col;
-        return;
-      }
+  pinned_ = nearest_to_middle(cols + 1, is_solid);
 }
 
 void Equilibrium::move_platens() {
@@ -147,12 +138,15 @@ void Equilibrium::forces(int row, const NodeField& u, kernels::NodeForces<double
                       .suspects = nullptr});
 }
 
-const std::uint8_t* Equilibrium::label(int row, int plane, int cell) const {
+Pixel Equilibrium::pixel(int row, int plane, int cell) const {
   const int k = scene_.points_per_cell;
-  const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
-  const int pixel_col = cell * k + plane % k;
-  if (pixel_row < 0 || pixel_col >= scene_.labels.cols()) return nullptr;
-  const std::uint8_t& label = scene_.labels(pixel_row, pixel_col);
+  return {static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k), cell * k + plane % k};
+}
+
+const std::uint8_t* Equilibrium::label(int row, int plane, int cell) const {
+  const Pixel at = pixel(row, plane, cell);
+  if (at.row < 0 || at.col >= scene_.labels.cols()) return nullptr;
+  const std::uint8_t& label = scene_.labels(at.row, at.col);
   return scene_.phases[label] ? &label : nullptr;
 }
 

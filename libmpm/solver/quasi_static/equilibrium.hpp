@@ -47,9 +47,10 @@ class Equilibrium final : private FineGrid {
 
   /// Displacements of a cell over the platen strain [m].
   [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
-  [[nodiscard]] const Plan& plan() const { return plan_; }  ///< that of the run, with padding cells
   [[nodiscard]] const LatticePoints<double>& points() const { return points_; }
-  /// Label of the pixel of a point; a pixel beyond the picture is void.
+  /// Pixel of a point; those of padding cells lie beyond the picture.
+  [[nodiscard]] Pixel pixel(int row, int plane, int cell) const;
+  /// Label of the pixel of a point; nullptr for void and beyond the picture.
   [[nodiscard]] const std::uint8_t* label(int row, int plane, int cell) const;
 
   /// Share of its stiffness that a point has [-].

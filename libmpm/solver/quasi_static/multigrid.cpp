@@ -52,16 +52,6 @@ void add_interpolated(const CellShape& coarse, const AlignedVector<double>& from
 
 }  // namespace
 
-void CellRowForces::resize(std::ptrdiff_t cells) {
-  length_ = cells + 3 * kernels::lane_cells;
-  values_.assign(static_cast<std::size_t>(4 * length_), 0.0);
-}
-
-kernels::NodeForces<double> CellRowForces::forces() {
-  double* first = values_.data() + kernels::lane_cells;
-  return {first, first + length_, first + 2 * length_, first + 3 * length_};
-}
-
 int coarsenings(int cells_x, int cells_y) {
   int count = 0;
   while ((std::max(cells_x, cells_y) >> count) > 6 && (std::min(cells_x, cells_y) >> count) > 2) ++count;
@@ -74,7 +64,7 @@ Multigrid::Multigrid(const FineGrid& fine, int coarsenings, const equilibrium::K
     Level& level = levels_[l];
     level.shape = {fine.shape().cells_x >> l, fine.shape().cells_y >> l};
     for (auto* field : {&level.xx, &level.xy, &level.yy}) field->assign(level.shape.nodes(), 0.0);
-    for (CellRowForces* forces : {&level.upper[0], &level.upper[1], &level.lower})
+    for (ForceBuffer<double>* forces : {&level.upper[0], &level.upper[1], &level.lower})
       forces->resize(level.shape.cell_stride());
     level.residual = level.shape.zeros();
     if (l > 0) {
@@ -199,7 +189,7 @@ void Multigrid::update(std::vector<Cell> cells) {
 }
 
 void Multigrid::cell_forces(Level& level, std::size_t index, int row, const NodeField& u,
-                            CellRowForces& lower, CellRowForces& upper) {
+                            ForceBuffer<double>& lower, ForceBuffer<double>& upper) {
   if (index == 0) return fine_.forces(row, u, lower.forces(), upper.forces());
   const std::size_t below = level.shape.node(row, 0);
   const std::size_t above = level.shape.node(row + 1, 0);
@@ -220,13 +210,11 @@ void Multigrid::cell_forces(Level& level, std::size_t index, int row, const Node
 void Multigrid::sweep(std::size_t index, const NodeField& load, const NodeField& u, NodeField& out,
                       Kernel kernel, double weight) {
   Level& level = levels_[index];
-  const auto nodes = [&](int row, CellRowForces& below, CellRowForces& above) {
+  const auto nodes = [&](int row, const ForceBuffer<double>& below, const ForceBuffer<double>& above) {
     const std::size_t at = level.shape.node(row, 0);
-    const kernels::NodeForces<double> b = below.forces();
-    const kernels::NodeForces<double> a = above.forces();
     kernel({.nodes = padded(level.shape.cells_x + 1),
-            .below = {b.left_x, b.right_x, b.left_y, b.right_y},
-            .above = {a.left_x, a.right_x, a.left_y, a.right_y},
+            .below = below.forces(),
+            .above = above.forces(),
             .load_x = load.x.data() + at,
             .load_y = load.y.data() + at,
             .inverse_xx = level.xx.data() + at,
@@ -236,9 +224,9 @@ void Multigrid::sweep(std::size_t index, const NodeField& load, const NodeField&
             .x = out.x.data() + at,
             .y = out.y.data() + at});
   };
-  CellRowForces* below = &no_forces_;
+  const ForceBuffer<double>* below = &no_forces_;
   for (int row = 0; row < level.shape.cells_y; ++row) {
-    CellRowForces& upper = level.upper[row % 2];
+    ForceBuffer<double>& upper = level.upper[row % 2];
     cell_forces(level, index, row, u, level.lower, upper);
     nodes(row, *below, level.lower);
     below = &upper;

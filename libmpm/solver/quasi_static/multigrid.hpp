@@ -12,9 +12,10 @@
 
 #include "libmpm/kernels/aligned.hpp"
 #include "libmpm/kernels/equilibrium_kernels.hpp"
+#include "libmpm/solver/force_buffer.hpp"
 #include "libmpm/solver/grid.hpp"
 #include "libmpm/solver/quasi_static/band_solver.hpp"
-#include "libmpm/solver/quasi_static/cell_stiffness.hpp"
+#include "libmpm/solver/quasi_static/coarse_cell.hpp"
 
 namespace mpm {
 
@@ -55,17 +56,6 @@ class FineGrid {
   virtual void clear_held(NodeField& field) const = 0;
 };
 
-/// Forces of two rows of cells on the nodes between and beside them.
-class CellRowForces {
- public:
-  void resize(std::ptrdiff_t cells);
-  [[nodiscard]] kernels::NodeForces<double> forces();
-
- private:
-  AlignedVector<double> values_;
-  std::ptrdiff_t length_ = 0;
-};
-
 /// Number of times that the grid can be made coarser; its cells must be padded to a multiple of 2 to its
 /// power.
 [[nodiscard]] int coarsenings(int cells_x, int cells_y);
@@ -90,18 +80,18 @@ class Multigrid {
  private:
   struct Level {
     CellShape shape;
-    AlignedVector<float> matrices;       ///< of a coarser grid, see equilibrium::MatrixRow
-    AlignedVector<double> xx, xy, yy;    ///< inverse of the stiffness of each node
-    NodeField load, solution, residual;  ///< empty for the finest grid but the residual
-    CellRowForces upper[2], lower;       ///< of the row of cells at hand and of the one below
+    AlignedVector<float> matrices;        ///< of a coarser grid, see equilibrium::MatrixRow
+    AlignedVector<double> xx, xy, yy;     ///< inverse of the stiffness of each node
+    NodeField load, solution, residual;   ///< empty for the finest grid but the residual
+    ForceBuffer<double> upper[2], lower;  ///< of the row of cells at hand and of the one below
   };
 
   [[nodiscard]] CellStiffness cell(std::size_t level, int row, int col) const;
   void make_cell(std::size_t level, int row, int col);
   void make_node(std::size_t level, int row, int col);
   void factorise();
-  void cell_forces(Level& level, std::size_t index, int row, const NodeField& u, CellRowForces& lower,
-                   CellRowForces& upper);
+  void cell_forces(Level& level, std::size_t index, int row, const NodeField& u, ForceBuffer<double>& lower,
+                   ForceBuffer<double>& upper);
   using Kernel = void (*)(const equilibrium::RelaxRow&);
   void sweep(std::size_t index, const NodeField& load, const NodeField& u, NodeField& out, Kernel kernel,
              double weight);
@@ -113,7 +103,7 @@ class Multigrid {
   const FineGrid& fine_;
   const equilibrium::Kernels& kernels_;
   std::vector<Level> levels_;
-  CellRowForces no_forces_;
+  ForceBuffer<double> no_forces_;
   BandSolver coarsest_;
   std::vector<double> unknowns_;  ///< of the coarsest grid
 };

@@ -37,84 +37,76 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
       carrying_(count_points(scene)) {
   for (const auto& phase : scene.phases) {
     Limits limits;
-    if (phase) {
-      const Eigen::Matrix3d c = stiffness(*phase, scene.plane);
-      limits = {c(0, 1),
-                c(2, 2),
-                scene.plane == Plane::strain ? phase->poisson : 0,
-                phase->can_crack() ? phase->tensile_scale : never,
-                std::sin(phase->friction_angle),
+    if (phase)
+      limits = {stiffness(*phase, scene.plane), scene.plane == Plane::strain ? phase->poisson : 0,
+                phase->can_crack() ? phase->tensile_scale : never, std::sin(phase->friction_angle),
                 phase->can_shear() ? 2 * phase->cohesion * std::cos(phase->friction_angle) : never};
-    }
     limits_.push_back(limits);
   }
   const LatticePoints<double>& points = equilibrium_.points();
   factors_.assign(points.stiffness.size(), 0.0);
   onsets_.assign(points.stiffness.size(), never);
   if (plan.softens) strengths_.assign(points.stiffness.size(), never);
-  const int k = scene.points_per_cell;
-  for (int row = 0; row < plan.cells_y; ++row)
-    for (int plane = 0; plane < points.planes; ++plane)
-      for (int cell = 0; cell < plan.cells_x; ++cell)
-        if (const std::uint8_t* label = equilibrium_.label(row, plane, cell);
-            label != nullptr && scene.phases[*label]->can_fail()) {
-          const std::size_t at = points.at(row, plane, cell);
-          factors_[at] = factors(scene.labels.rows() - 1 - (row * k + plane / k), cell * k + plane % k);
-          if (plan.softens) strengths_[at] = limits_[*label].tension * factors_[at];
-        }
+  each_point([&](const Place& at, std::size_t index) {
+    const std::uint8_t* label = equilibrium_.label(at.row, at.plane, at.cell);
+    if (label == nullptr || !scene.phases[*label]->can_fail()) return;
+    const Pixel pixel = equilibrium_.pixel(at.row, at.plane, at.cell);
+    factors_[index] = factors(pixel.row, pixel.col);
+    if (plan.softens) strengths_[index] = limits_[*label].tension * factors_[index];
+  });
 }
 
-/// Stress of an intact point at a platen strain of 1, with its sign [Pa].
-Stress<double> QuasiStaticSolver::elastic_at(int row, int plane, int cell) const {
-  const Limits& limits = limits_[*equilibrium_.label(row, plane, cell)];
+template <class Visit>
+void QuasiStaticSolver::each_point(const Visit& visit) const {
+  const LatticePoints<double>& points = equilibrium_.points();
+  for (int row = 0; row < plan_.cells_y; ++row)
+    for (int plane = 0; plane < points.planes; ++plane)
+      for (int cell = 0; cell < plan_.cells_x; ++cell)
+        visit(Place{row, plane, cell}, points.at(row, plane, cell));
+}
+
+const QuasiStaticSolver::Limits& QuasiStaticSolver::limits_at(const Place& at) const {
+  return limits_[*equilibrium_.label(at.row, at.plane, at.cell)];
+}
+
+/// Stress of an intact point at a platen strain, with its sign [Pa].
+Stress<double> QuasiStaticSolver::elastic_at(const Limits& limits, const Place& at, double strain) const {
   const int k = scene_.points_per_cell;
-  const double xi = (plane % k + 0.5) / k;
-  const double eta = (plane / k + 0.5) / k;
-  const CellDisplacement u = equilibrium_.displacement(row, cell);
-  const double scale = sign_ / plan_.cell_size;
-  const double exx = scale * ((1 - eta) * (u.ux[1] - u.ux[0]) + eta * (u.ux[3] - u.ux[2]));
-  const double eyy = scale * ((1 - xi) * (u.uy[2] - u.uy[0]) + xi * (u.uy[3] - u.uy[1]));
-  const double gxy = scale * ((1 - xi) * (u.ux[2] - u.ux[0]) + xi * (u.ux[3] - u.ux[1]) +
-                              (1 - eta) * (u.uy[1] - u.uy[0]) + eta * (u.uy[3] - u.uy[2]));
-  return elastic_stress(limits.lame, limits.shear, exx, eyy, gxy);
+  Stress<double> s = stress_in_cell(limits.stiffness, equilibrium_.displacement(at.row, at.cell),
+                                    (at.plane % k + 0.5) / k, (at.plane / k + 0.5) / k, plan_.cell_size);
+  for (double* one : {&s.xx, &s.yy, &s.xy}) *one *= sign_ * strain;
+  return s;
 }
 
 /// Platen strain at which the point fails that carries this stress at a platen strain of 1.
 /// @param strength  largest principal stress that it survives [Pa].
 QuasiStaticSolver::Onset QuasiStaticSolver::onset_of(const Limits& limits, double factor, double strength,
                                                      const Stress<double>& s) {
-  const double mean = 0.5 * (s.xx + s.yy);
-  const double half = 0.5 * (s.xx - s.yy);
-  const double radius = std::sqrt(half * half + s.xy * s.xy);
-  const double normal = limits.normal * (s.xx + s.yy);
-  const double first = std::max(mean + radius, normal);
-  const double last = std::min(mean - radius, normal);
+  const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, limits.normal * (s.xx + s.yy));
+  const double first = std::max(principal.first, principal.normal);
+  const double last = std::min(principal.second, principal.normal);
   const double tension = first > 0 ? strength / first : never;
   const double drive = -last * (1 - limits.sine) + factor * first * (1 + limits.sine);
   const double shear = last < 0 && drive > 0 ? factor * limits.cohesion / drive : never;
   return tension <= shear ? Onset{tension, FailureMode::tension} : Onset{shear, FailureMode::shear};
 }
 
-double QuasiStaticSolver::kept_at(int row, int plane, int cell) const {
-  return strengths_.empty() ? 1 : equilibrium_.kept(row, plane, cell);
+double QuasiStaticSolver::kept_at(const Place& at) const {
+  return strengths_.empty() ? 1 : equilibrium_.kept(at.row, at.plane, at.cell);
 }
 
 void QuasiStaticSolver::find_onsets() {
-  const LatticePoints<double>& points = equilibrium_.points();
   next_ = never;
-  for (int row = 0; row < plan_.cells_y; ++row)
-    for (int plane = 0; plane < points.planes; ++plane)
-      for (int cell = 0; cell < plan_.cells_x; ++cell) {
-        const std::size_t at = points.at(row, plane, cell);
-        if (factors_[at] <= 0) continue;
-        const Limits& limits = limits_[*equilibrium_.label(row, plane, cell)];
-        const double kept = kept_at(row, plane, cell);
-        const Stress<double> s = elastic_at(row, plane, cell);
-        const double strength = strengths_.empty() ? limits.tension * factors_[at] : strengths_[at];
-        const Onset onset = onset_of(limits, factors_[at], strength, {kept * s.xx, kept * s.yy, kept * s.xy});
-        next_ = std::min(next_, onset.strain);
-        onsets_[at] = onset.mode == FailureMode::shear ? -onset.strain : onset.strain;
-      }
+  each_point([&](const Place& at, std::size_t index) {
+    if (factors_[index] <= 0) return;
+    const Limits& limits = limits_at(at);
+    const double strength = strengths_.empty() ? limits.tension * factors_[index] : strengths_[index];
+    const double kept = kept_at(at);
+    const Stress<double> s = elastic_at(limits, at, 1);
+    const Onset onset = onset_of(limits, factors_[index], strength, {kept * s.xx, kept * s.yy, kept * s.xy});
+    next_ = std::min(next_, onset.strain);
+    onsets_[index] = onset.mode == FailureMode::shear ? -onset.strain : onset.strain;
+  });
 }
 
 double QuasiStaticSolver::energy() const {
@@ -128,67 +120,51 @@ void QuasiStaticSolver::add_work(double strain) {
   tally_.platen_work += energy() - before;
 }
 
+/// Only the first failure of a point counts.
+void QuasiStaticSolver::record(const Place& at, FailureMode mode, double strain) {
+  const Pixel pixel = equilibrium_.pixel(at.row, at.plane, at.cell);
+  if (maps_.failure_mode(pixel.row, pixel.col) != 0) return;
+  ++(mode == FailureMode::shear ? tally_.shear_failures : tally_.tension_failures);
+  maps_.failure_strain(pixel.row, pixel.col) = static_cast<float>(strain);
+  maps_.failure_mode(pixel.row, pixel.col) = static_cast<std::uint8_t>(mode);
+}
+
 /// The point is gone.   @return the share of its stiffness that it keeps.
-double QuasiStaticSolver::fail(int row, int plane, int cell, double strain) {
-  const std::size_t at = equilibrium_.points().at(row, plane, cell);
-  const int k = scene_.points_per_cell;
-  const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
-  const int pixel_col = cell * k + plane % k;
-  const bool shear = onsets_[at] < 0;
-  factors_[at] = 0;
-  if (maps_.failure_mode(pixel_row, pixel_col) == 0) {
-    ++(shear ? tally_.shear_failures : tally_.tension_failures);
-    maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
-    maps_.failure_mode(pixel_row, pixel_col) =
-        static_cast<std::uint8_t>(shear ? FailureMode::shear : FailureMode::tension);
-  }
+double QuasiStaticSolver::fail(const Place& at, std::size_t index, double strain) {
+  record(at, onsets_[index] < 0 ? FailureMode::shear : FailureMode::tension, strain);
+  factors_[index] = 0;
   if (scene_.damage.residual_stiffness <= 0) --carrying_;
-  return std::max(scene_.damage.residual_stiffness, remainder);
+  return least_kept();
 }
 
 /// The point goes on with less. It counts as failed when half of its strength is lost.
 /// @return the share of its stiffness that it keeps.
-double QuasiStaticSolver::soften(int row, int plane, int cell, double strain) {
-  const std::size_t at = equilibrium_.points().at(row, plane, cell);
-  const Phase& phase = *scene_.phases[*equilibrium_.label(row, plane, cell)];
-  Stress<double> s = elastic_at(row, plane, cell);
-  for (double* one : {&s.xx, &s.yy, &s.xy}) *one *= strain;
-  const double peak = tension_threshold(phase, factors_[at]);
-  const double normal = limits_[*equilibrium_.label(row, plane, cell)].normal * (s.xx + s.yy);
-  const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, normal);
-  const Tooth tooth =
-      next_tooth(softening(phase, scene_.plane, peak, plan_.cell_size), equilibrium_.kept(row, plane, cell),
-                 std::max(principal.first, principal.normal));
-  if (tooth.kept <= std::max(scene_.damage.residual_stiffness, remainder))
-    return fail(row, plane, cell, strain);
-  strengths_[at] = tooth.strength;
-  if (tooth.strength <= 0.5 * peak) {
-    const int k = scene_.points_per_cell;
-    const int pixel_row = static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k);
-    const int pixel_col = cell * k + plane % k;
-    if (maps_.failure_mode(pixel_row, pixel_col) == 0) {
-      ++tally_.tension_failures;
-      maps_.failure_strain(pixel_row, pixel_col) = static_cast<float>(strain);
-      maps_.failure_mode(pixel_row, pixel_col) = static_cast<std::uint8_t>(FailureMode::tension);
-    }
-  }
+double QuasiStaticSolver::soften(const Place& at, std::size_t index, double strain) {
+  const Limits& limits = limits_at(at);
+  const Phase& phase = *scene_.phases[*equilibrium_.label(at.row, at.plane, at.cell)];
+  const Stress<double> s = elastic_at(limits, at, strain);
+  const double peak = tension_threshold(phase, factors_[index]);
+  const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, limits.normal * (s.xx + s.yy));
+  const Tooth tooth = next_tooth(softening(phase, scene_.plane, peak, plan_.cell_size), kept_at(at),
+                                 std::max(principal.first, principal.normal));
+  if (tooth.kept <= least_kept()) return fail(at, index, strain);
+  strengths_[index] = tooth.strength;
+  if (tooth.strength <= 0.5 * peak) record(at, FailureMode::tension, strain);
   return tooth.kept;
 }
 
+double QuasiStaticSolver::least_kept() const { return std::max(scene_.damage.residual_stiffness, remainder); }
+
 void QuasiStaticSolver::fail_points(double strain, double up_to) {
-  const LatticePoints<double>& points = equilibrium_.points();
   std::vector<Equilibrium::Change> changes;
-  for (int row = 0; row < plan_.cells_y; ++row)
-    for (int plane = 0; plane < points.planes; ++plane)
-      for (int cell = 0; cell < plan_.cells_x; ++cell) {
-        const std::size_t at = points.at(row, plane, cell);
-        if (factors_[at] <= 0 || std::abs(onsets_[at]) > up_to) continue;
-        const bool softens =
-            onsets_[at] > 0 && scene_.phases[*equilibrium_.label(row, plane, cell)]->softens();
-        changes.push_back({row, plane, cell,
-                           softens ? soften(row, plane, cell, std::max(strain, onsets_[at]))
-                                   : fail(row, plane, cell, strain)});
-      }
+  each_point([&](const Place& at, std::size_t index) {
+    const double onset = onsets_[index];
+    if (factors_[index] <= 0 || std::abs(onset) > up_to) return;
+    const bool softens =
+        onset > 0 && scene_.phases[*equilibrium_.label(at.row, at.plane, at.cell)]->softens();
+    const double kept = softens ? soften(at, index, std::max(strain, onset)) : fail(at, index, strain);
+    changes.push_back({at.row, at.plane, at.cell, kept});
+  });
   equilibrium_.change(changes);
 }
 
@@ -201,7 +177,7 @@ void QuasiStaticSolver::step() {
   modulus_ = equilibrium_.modulus();
   tally_.released += before - energy();
   find_onsets();
-  done_ = !(next_ <= scene_.loading.stop_strain) && strain_ < scene_.loading.stop_strain;
+  done_ = !(next_ <= scene_.loading.stop_strain);
   add_work(done_ ? scene_.loading.stop_strain : std::max(strain_, next_));
   ++steps_;
 }
@@ -240,25 +216,21 @@ void QuasiStaticSolver::fill(Frame& frame) const {
       const std::uint8_t label = scene_.labels(row, col);
       if (!scene_.phases[label]) continue;
       const int from_below = rows - 1 - row;
-      const int plane = from_below % k * k + col % k;
+      const Place at{from_below / k, from_below % k * k + col % k, col / k};
       const double xi = (col % k + 0.5) / k;
       const double eta = (from_below % k + 0.5) / k;
-      CellDisplacement u = equilibrium_.displacement(from_below / k, col / k);
-      const double scale = sign_ * strain_;
-      for (int node = 0; node < 4; ++node) {
-        u.ux[node] *= scale;
-        u.uy[node] *= scale;
-      }
-      const auto inside = [&](const double(&v)[4]) {
-        return (1 - eta) * ((1 - xi) * v[0] + xi * v[1]) + eta * ((1 - xi) * v[2] + xi * v[3]);
+      const CellDisplacement u = equilibrium_.displacement(at.row, at.cell);
+      const auto moved = [&](const double(&v)[4]) {
+        return sign_ * strain_ *
+               ((1 - eta) * ((1 - xi) * v[0] + xi * v[1]) + eta * ((1 - xi) * v[2] + xi * v[3]));
       };
-      const Phase& phase = *scene_.phases[label];
-      const bool failed = phase.can_fail() && factors_[points.at(from_below / k, plane, col / k)] <= 0;
-      const double kept = failed ? scene_.damage.residual_stiffness : kept_at(from_below / k, plane, col / k);
-      const Stress<double> s = stress_in_cell(stiffness(phase, scene_.plane), u, xi, eta, plan_.cell_size);
+      const bool failed =
+          scene_.phases[label]->can_fail() && factors_[points.at(at.row, at.plane, at.cell)] <= 0;
+      const double kept = failed ? scene_.damage.residual_stiffness : kept_at(at);
+      const Stress<double> s = elastic_at(limits_[label], at, strain_);
       frame.points.push_back(completed({.id = static_cast<std::uint32_t>(row * cols + col),
-                                        .x = (col + 0.5) * scene_.pixel_size + inside(u.ux),
-                                        .y = (from_below + 0.5) * scene_.pixel_size + inside(u.uy)},
+                                        .x = (col + 0.5) * scene_.pixel_size + moved(u.ux),
+                                        .y = (from_below + 0.5) * scene_.pixel_size + moved(u.uy)},
                                        {kept * s.xx, kept * s.yy, kept * s.xy, kept, 0}, scene_));
     }
 }

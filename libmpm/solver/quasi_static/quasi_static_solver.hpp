@@ -44,16 +44,19 @@ class QuasiStaticSolver {
   void restore(ArchiveReader& archive);
   [[nodiscard]] std::string worst_point() const { return {}; }
 
-  [[nodiscard]] std::int64_t iterations() const { return equilibrium_.iterations(); }
-
  private:
   /// What the failure criteria need of a phase.
   struct Limits {
-    double lame = 0, shear = 0;  ///< of the plane [Pa]
-    double normal = 0;           ///< out-of-plane stress over the sum of those in the plane [-]
-    double tension = 0;          ///< f_t [Pa]; infinite for a phase that does not crack
-    double sine = 0;             ///< of the friction angle
-    double cohesion = 0;         ///< 2 c cos(phi) [Pa]; infinite for a phase that does not shear
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  ///< of the plane [Pa]
+    double normal = 0;    ///< out-of-plane stress over the sum of those in the plane [-]
+    double tension = 0;   ///< f_t [Pa]; infinite for a phase that does not crack
+    double sine = 0;      ///< of the friction angle
+    double cohesion = 0;  ///< 2 c cos(phi) [Pa]; infinite for a phase that does not shear
+  };
+
+  /// Of a point, see LatticePoints.
+  struct Place {
+    int row = 0, plane = 0, cell = 0;
   };
 
   /// Failure of a point at a platen strain.
@@ -65,10 +68,15 @@ class QuasiStaticSolver {
   void step();
   [[nodiscard]] static Onset onset_of(const Limits& limits, double factor, double strength,
                                       const Stress<double>& stress);
-  [[nodiscard]] Stress<double> elastic_at(int row, int plane, int cell) const;
-  [[nodiscard]] double kept_at(int row, int plane, int cell) const;
-  double fail(int row, int plane, int cell, double strain);
-  double soften(int row, int plane, int cell, double strain);
+  template <class Visit>
+  void each_point(const Visit& visit) const;
+  [[nodiscard]] const Limits& limits_at(const Place& at) const;
+  [[nodiscard]] Stress<double> elastic_at(const Limits& limits, const Place& at, double strain) const;
+  [[nodiscard]] double kept_at(const Place& at) const;
+  [[nodiscard]] double least_kept() const;
+  void record(const Place& at, FailureMode mode, double strain);
+  double fail(const Place& at, std::size_t index, double strain);
+  double soften(const Place& at, std::size_t index, double strain);
   void find_onsets();
   void add_work(double strain);
   void fail_points(double strain, double up_to);

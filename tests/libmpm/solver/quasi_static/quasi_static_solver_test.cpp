@@ -75,6 +75,15 @@ TEST(QuasiStatic, StrainsNeverFallAndFailuresHappenAtThem) {
   EXPECT_EQ(failed, result.tension_failures + result.shear_failures);
 }
 
+TEST(QuasiStatic, EndsAtAStrainAtWhichAPointFails) {
+  Scene scene = concrete(24, 24);
+  const Result whole = mpm::simulate(scene);
+  scene.loading.stop_strain = whole.history[10].strain;
+  const Result part = mpm::simulate(scene);
+  EXPECT_EQ(part.history.back().strain, scene.loading.stop_strain);
+  EXPECT_EQ(part.history[10].stress, whole.history[10].stress);
+}
+
 TEST(QuasiStatic, SmallerTolerancesLeadToOneFailureAtATime) {
   Scene scene = concrete(24, 24);
   scene.damage.seed = 6;

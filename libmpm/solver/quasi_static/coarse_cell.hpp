@@ -1,18 +1,14 @@
-/// Stiffness of cells as matrices of 8 x 8, and of four cells as one of twice the size.
+/// Stiffness of the cells of a scene, and of four cells seen as one of twice the size.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/lattice/cell_stiffness.hpp"
 
 namespace mpm {
-
-/// Forces on the nodes of a cell over their displacements [Pa], in the order x of the lower left, lower
-/// right, upper left and upper right node, then y of the same.
-using CellStiffness = Eigen::Matrix<double, 8, 8>;
 
 /// Stiffness that a point of each phase adds to its cell, by its place in the cell; in the scale of the
 /// sweeps, so that the points of a cell count K x K times.

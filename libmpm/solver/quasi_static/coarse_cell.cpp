@@ -1,37 +1,17 @@
-#include "libmpm/solver/quasi_static/cell_stiffness.hpp"
+#include "libmpm/solver/quasi_static/coarse_cell.hpp"
 
 #include <algorithm>
-
-#include "libmpm/solver/lattice/lattice_points.hpp"
 
 namespace mpm {
 namespace {
 
 using Weights = Eigen::Matrix4d;  ///< of the nodes of a coarse cell (columns) in those of a child (rows) [-]
 
-/// Strain (e_xx, e_yy, gamma_xy) over displacement at a place of a cell, times the size of the cell [-].
-Eigen::Matrix<double, 3, 8> strains(double xi, double eta) {
-  const Eigen::RowVector4d along_x(-(1 - eta), 1 - eta, -eta, eta);
-  const Eigen::RowVector4d along_y(-(1 - xi), -xi, 1 - xi, xi);
-  Eigen::Matrix<double, 3, 8> b = Eigen::Matrix<double, 3, 8>::Zero();
-  b.block<1, 4>(0, 0) = along_x;
-  b.block<1, 4>(1, 4) = along_y;
-  b.block<1, 4>(2, 0) = along_y;
-  b.block<1, 4>(2, 4) = along_x;
-  return b;
-}
-
 CellStiffness of_point(const Phase& phase, const Scene& scene, int plane) {
   const int k = scene.points_per_cell;
   const Eigen::Matrix3d c = stiffness(phase, scene.plane);
-  const auto b = strains((plane % k + 0.5) / k, (plane / k + 0.5) / k);
-  CellStiffness matrix = b.transpose() * c * b;
-  if (scene.pixel_cells) {
-    const Eigen::Vector4d mode(1, -1, -1, 1);
-    const Eigen::Matrix4d bending = bending_stiffness(c) * mode * mode.transpose();
-    matrix.topLeftCorner<4, 4>() += bending;
-    matrix.bottomRightCorner<4, 4>() += bending;
-  }
+  CellStiffness matrix = point_stiffness(c, (plane % k + 0.5) / k, (plane / k + 0.5) / k);
+  if (scene.pixel_cells) matrix += bending_matrix(c);
   return matrix;
 }
 
