@@ -5,8 +5,6 @@
 namespace mpm {
 namespace {
 
-using Weights = Eigen::Matrix4d;  ///< of the nodes of a coarse cell (columns) in those of a child (rows) [-]
-
 CellStiffness of_point(const Phase& phase, const Scene& scene, int plane) {
   const int k = scene.points_per_cell;
   const Eigen::Matrix3d c = stiffness(phase, scene.plane);
@@ -15,22 +13,7 @@ CellStiffness of_point(const Phase& phase, const Scene& scene, int plane) {
   return matrix;
 }
 
-Weights weights_of(int child) {
-  Weights w;
-  for (int node = 0; node < 4; ++node) {
-    const double x = 0.5 * (child % 2 + node % 2);
-    const double y = 0.5 * (child / 2 + node / 2);
-    w.row(node) << (1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y;
-  }
-  return w;
-}
-
-const std::array<Weights, 4>& child_weights() {
-  static const std::array<Weights, 4> all{weights_of(0), weights_of(1), weights_of(2), weights_of(3)};
-  return all;
-}
-
-Weights without(Weights weights, const std::array<bool, 4>& held) {
+ChildWeights without(ChildWeights weights, const std::array<bool, 4>& held) {
   for (int node = 0; node < 4; ++node)
     if (held[static_cast<std::size_t>(node)]) weights.row(node).setZero();
   return weights;
@@ -52,11 +35,22 @@ bool HeldNodes::any() const {
   return std::any_of(x.begin(), x.end(), yes) || std::any_of(y.begin(), y.end(), yes);
 }
 
-void add_child(CellStiffness& coarse, const CellStiffness& fine, int child, const HeldNodes& held) {
-  const Weights& whole = child_weights()[static_cast<std::size_t>(child)];
+ChildWeights child_weights(const std::array<double, 2>& x, const std::array<double, 2>& y) {
+  ChildWeights weights;
+  for (std::size_t node = 0; node < 4; ++node) {
+    const double right = x[node % 2];
+    const double up = y[node / 2];
+    weights.row(static_cast<Eigen::Index>(node)) << (1 - right) * (1 - up), right * (1 - up),
+        (1 - right) * up, right * up;
+  }
+  return weights;
+}
+
+void add_child(CellStiffness& coarse, const CellStiffness& fine, const ChildWeights& whole,
+               const HeldNodes& held) {
   const bool any = held.any();
-  const Weights px = any ? without(whole, held.x) : whole;
-  const Weights py = any ? without(whole, held.y) : whole;
+  const ChildWeights px = any ? without(whole, held.x) : whole;
+  const ChildWeights py = any ? without(whole, held.y) : whole;
   coarse.topLeftCorner<4, 4>() += px.transpose() * (fine.topLeftCorner<4, 4>() * px);
   const Eigen::Matrix4d mixed = px.transpose() * (fine.topRightCorner<4, 4>() * py);
   coarse.topRightCorner<4, 4>() += mixed;

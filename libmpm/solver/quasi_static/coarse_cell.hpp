@@ -33,9 +33,15 @@ struct HeldNodes {
   [[nodiscard]] bool any() const;
 };
 
-/// Adds the stiffness of one of the four children of a coarse cell: P^T K P with bilinear interpolation P,
-/// without the rows of held nodes.
-/// @param child  0 = lower left, 1 = lower right, 2 = upper left, 3 = upper right.
-void add_child(CellStiffness& coarse, const CellStiffness& fine, int child, const HeldNodes& held);
+/// Weights of the nodes of a coarse cell (columns) in those of one of its children (rows) [-].
+using ChildWeights = Eigen::Matrix4d;
+/// Bilinear ones, from those of the right coarse node at both ends of the child along x, and of the upper one
+/// along y.
+[[nodiscard]] ChildWeights child_weights(const std::array<double, 2>& x, const std::array<double, 2>& y);
+
+/// Adds the stiffness of a child of a coarse cell: P^T K P with interpolation P, without the rows of held
+/// nodes.
+void add_child(CellStiffness& coarse, const CellStiffness& fine, const ChildWeights& whole,
+               const HeldNodes& held);
 
 }  // namespace mpm

@@ -5,17 +5,18 @@
 #include <utility>
 #include <vector>
 
-#include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/scene/scene.hpp"
 #include "libmpm/solver/lattice/lattice_points.hpp"
 #include "libmpm/solver/plan.hpp"
+#include "libmpm/solver/quasi_static/conjugate_gradients.hpp"
+#include "libmpm/solver/quasi_static/lattice_cells.hpp"
 #include "libmpm/solver/quasi_static/multigrid.hpp"
 
 namespace mpm {
 
 /// The specimen between its platens at a platen strain of 1: the lower platen stands still, the upper one has
 /// moved up by the height. Points are those of the lattice.
-class Equilibrium final : private FineGrid {
+class Equilibrium final : private LatticeCells {
  public:
   /// All points intact, nothing solved yet. The scene must outlive this.
   Equilibrium(const Scene& scene, const Plan& plan, const StrengthFactors& factors);
@@ -43,52 +44,32 @@ class Equilibrium final : private FineGrid {
   [[nodiscard]] double modulus() const { return 0.5 * (modulus_top_ + modulus_bottom_); }
   [[nodiscard]] double modulus_top() const { return modulus_top_; }
   [[nodiscard]] double modulus_bottom() const { return modulus_bottom_; }
-  [[nodiscard]] std::int64_t iterations() const { return iterations_; }  ///< so far
+  [[nodiscard]] std::int64_t iterations() const { return gradients_->iterations(); }  ///< so far
 
   /// Displacements of a cell over the platen strain [m].
   [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
-  [[nodiscard]] const LatticePoints<double>& points() const { return points_; }
-  /// Pixel of a point; those of padding cells lie beyond the picture.
-  [[nodiscard]] Pixel pixel(int row, int plane, int cell) const;
-  /// Label of the pixel of a point; nullptr for void and beyond the picture.
-  [[nodiscard]] const std::uint8_t* label(int row, int plane, int cell) const;
-
-  /// Share of its stiffness that a point has [-].
-  [[nodiscard]] double kept(int row, int plane, int cell) const {
-    const std::uint8_t* of = label(row, plane, cell);
-    return of != nullptr ? share_of(*of, points_.at(row, plane, cell)) : 0;
-  }
+  using LatticeCells::kept;
+  using LatticeCells::label;
+  using LatticeCells::pixel;
+  using LatticeCells::points;
 
   [[nodiscard]] const NodeField& displacements() const { return u_; }
   [[nodiscard]] NodeField& displacements() { return u_; }
 
  private:
-  [[nodiscard]] CellShape shape() const override { return {plan_.cells_x, plan_.cells_y}; }
-  void forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
-              kernels::NodeForces<double> upper) const override;
-  [[nodiscard]] CellStiffness cell(int row, int col) const override;
   [[nodiscard]] HeldNodes held(int row, int col) const override;
   void clear_held(NodeField& field) const override;
 
   void find_pinned_node();
   void make_multigrid();
   void move_platens();
-  [[nodiscard]] double share_of(std::uint8_t label, std::size_t at) const;
   void read_reactions();
 
-  const Scene& scene_;
-  int cells_y_;  ///< without padding
-  Plan plan_;
-  LatticePoints<double> points_;
-  PointStiffness stiffness_;
-  std::vector<double> intact_;  ///< what points_ hold of an intact point, by label [Pa]
-  Eigen::Matrix3d unit_stiffness_;
-  kernels::SweepCells<double> sweep_cells_;
   int pinned_ = 0;  ///< column of the node that a smooth lower platen holds sideways
   std::unique_ptr<Multigrid> multigrid_;
-  NodeField u_, no_load_, residual_, preconditioned_, direction_, image_;
+  std::unique_ptr<ConjugateGradients> gradients_;
+  NodeField u_;
   double modulus_top_ = 0, modulus_bottom_ = 0;
-  std::int64_t iterations_ = 0;
 };
 
 }  // namespace mpm
