@@ -244,7 +244,9 @@ void Multigrid::update(std::vector<Cell> cells) {
   };
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     if (l > 0) {
-      for (Cell& one : cells) one = {one.row / 2, one.col / 2};
+      for (Cell& one : cells)  // an odd one at the end is the third child of the last cell
+        one = {std::min(one.row / 2, levels_[l].shape.cells_y - 1),
+               std::min(one.col / 2, levels_[l].shape.cells_x - 1)};
       std::sort(cells.begin(), cells.end(), before);
       cells.erase(std::unique(cells.begin(), cells.end(), same), cells.end());
       for (const Cell& one : cells) make_cell(l, one.row, one.col);
