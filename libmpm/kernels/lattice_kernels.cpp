@@ -16,10 +16,11 @@ struct EdgeStrains {
   Real x_of_ux[2], x_of_uy[2], y_of_ux[2], y_of_uy[2];
 };
 
-template <class Real>
-MPM_INLINE EdgeStrains<Real> edge_strains(const CellRow<Real>& row, int i) {
-  const double *ux0 = row.ux_lower, *uy0 = row.uy_lower, *ux1 = row.ux_upper, *uy1 = row.uy_upper;
-  // Differences are taken in double: displacements grow, the strains in one cell stay small.
+template <class Real, class Node>
+MPM_INLINE EdgeStrains<Real> edge_strains(const CellRow<Real, Node>& row, int i) {
+  const Node *ux0 = row.ux_lower, *uy0 = row.uy_lower, *ux1 = row.ux_upper, *uy1 = row.uy_upper;
+  // Differences are taken in the precision of the nodes: displacements grow, the strains in one cell stay
+  // small.
   return {{Real(ux0[i + 1] - ux0[i]), Real(ux1[i + 1] - ux1[i])},
           {Real(uy0[i + 1] - uy0[i]), Real(uy1[i + 1] - uy1[i])},
           {Real(ux1[i] - ux0[i]), Real(ux1[i + 1] - ux0[i + 1])},
@@ -36,8 +37,8 @@ MPM_INLINE Real between(const Real (&edge)[2]) {
 /// Not 0 when a point may fail. s1 > T and s3 < -S without a square root: with det = sx sy - sxy^2 and sum =
 /// sx + sy, both principal stresses lie below T exactly when T^2 - T sum + det >= 0 and 2 T - sum >= 0.
 /// Not-a-number is suspect.
-template <Check check, class Real>
-MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, const CellRow<Real>& row, std::ptrdiff_t at) {
+template <Check check, class Real, class Node>
+MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, const CellRow<Real, Node>& row, std::ptrdiff_t at) {
   using F = Flag<Real>;
   if constexpr (check == Check::none) return 0;
   const Real tension = Real(row.tension[at]);
@@ -67,8 +68,8 @@ MPM_INLINE Real lateral_ratio(Real lame, Real shear) {
 }
 
 /// Stress of point p, already times its stiffness and volume share, added to the sums; returns suspicion.
-template <class Real, int K, int P, bool one_poisson, Check check, bool closure>
-MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real>& edges, int i,
+template <class Real, int K, int P, bool one_poisson, Check check, bool closure, class Node>
+MPM_INLINE Flag<Real> add_point(const CellRow<Real, Node>& row, const EdgeStrains<Real>& edges, int i,
                                 CellSums<Real, K>& sums) {
   constexpr int a = P % K;
   constexpr int b = P / K;
@@ -107,8 +108,8 @@ MPM_INLINE Flag<Real> add_point(const CellRow<Real>& row, const EdgeStrains<Real
 /// a square cell bends as a beam does, and does not lock when the material is nearly incompressible.
 /// Source: Belytschko, Bindeman, Comput. Methods Appl. Mech. Eng. 88 (1991), ASQBI: E / 12 in plane stress,
 /// E / (1 - nu^2) / 12 in plane strain.
-template <class Real, bool one_poisson, bool closure>
-MPM_INLINE Real bending_stiffness(const CellRow<Real>& row, int i) {
+template <class Real, bool one_poisson, bool closure, class Node>
+MPM_INLINE Real bending_stiffness(const CellRow<Real, Node>& row, int i) {
   Real k;
   if constexpr (one_poisson) {
     k = row.stiffness[i] * row.unit_bending;
@@ -123,8 +124,8 @@ MPM_INLINE Real bending_stiffness(const CellRow<Real>& row, int i) {
 }
 
 /// Adds the forces against the two bending modes of a pixel cell, in which its middle is not strained.
-template <class Real, bool one_poisson, bool closure>
-MPM_INLINE void resist_bending(const CellRow<Real>& row, const EdgeStrains<Real>& edges, int i) {
+template <class Real, bool one_poisson, bool closure, class Node>
+MPM_INLINE void resist_bending(const CellRow<Real, Node>& row, const EdgeStrains<Real>& edges, int i) {
   const Real k = bending_stiffness<Real, one_poisson, closure>(row, i);
   const Real fx = k * (edges.x_of_ux[1] - edges.x_of_ux[0]);
   const Real fy = k * (edges.x_of_uy[1] - edges.x_of_uy[0]);
@@ -155,8 +156,8 @@ MPM_INLINE EdgeSums<K, Real> edge_sums(const Real (&s)[K]) {
 }
 
 /// One cell: strains, stresses, suspicion and forces of its K x K points.
-template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel>
-MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real>& row, int i) {
+template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel, class Node>
+MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real, Node>& row, int i) {
   const EdgeStrains<Real> edges = edge_strains<Real>(row, i);
   CellSums<Real, K> sums{};
   Flag<Real> suspect = 0;
@@ -182,9 +183,9 @@ MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real>& row, int i) {
 }
 
 // The body of a vector loop is one call: what it declares itself would be kept in memory, lane by lane.
-template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel>
-Flag<Real> sweep_cells(const CellRow<Real>& row) {
-  const CellRow<Real> in = row;
+template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel, class Node = double>
+Flag<Real> sweep_cells(const CellRow<Real, Node>& row) {
+  const CellRow<Real, Node> in = row;
   const int n = in.cells & ~(lane_cells - 1);
   Flag<Real> any = 0;
 #pragma omp simd reduction(| : any)
@@ -290,6 +291,26 @@ SweepCells<Real> cells(const Features& f) {
   }
 }
 
+template <int K, bool one_poisson, bool pixel>
+SweepCells<float, float> correction_of() {
+  return sweep_cells<float, K, one_poisson, Check::none, false, pixel, float>;
+}
+
+SweepCells<float, float> corrections(const Features& f) {
+  if (f.pixel_cells)
+    return f.one_poisson_ratio ? correction_of<1, true, true>() : correction_of<1, false, true>();
+  switch (f.points_per_cell) {
+    case 1:
+      return correction_of<1, false, false>();
+    case 3:
+      return correction_of<3, false, false>();
+    case 4:
+      return correction_of<4, false, false>();
+    default:
+      return f.one_poisson_ratio ? correction_of<2, true, false>() : correction_of<2, false, false>();
+  }
+}
+
 template <class Real>
 SweepNodes<Real> nodes(const Features& f) {
   if (f.damping) return f.ledger ? sweep_nodes<Real, true, true> : sweep_nodes<Real, true, false>;
@@ -300,7 +321,7 @@ SweepNodes<Real> nodes(const Features& f) {
 
 #define MPM_TEXT_OF(name) #name
 #define MPM_TEXT(name) MPM_TEXT_OF(name)
-extern const Kernels MPM_KERNELS = {MPM_TEXT(MPM_KERNELS), cells<float>, cells<double>, nodes<float>,
-                                    nodes<double>};
+extern const Kernels MPM_KERNELS = {MPM_TEXT(MPM_KERNELS), cells<float>,  cells<double>,
+                                    nodes<float>,          nodes<double>, corrections};
 
 }  // namespace mpm::kernels

@@ -39,11 +39,12 @@ struct NodeForces {
 
 /// What the sweep over a row of cells reads and writes. The K x K points of a cell are K x K planes: plane p
 /// = b K + a holds the points of column a and row b (from the bottom) of each cell of the row.
-template <class Real>
+/// @tparam Node  precision of the displacements.
+template <class Real, class Node = double>
 struct CellRow {
-  int cells;                                                ///< padded number of cells
-  std::ptrdiff_t stride;                                    ///< between planes
-  const double *ux_lower, *uy_lower, *ux_upper, *uy_upper;  ///< displacements of the two rows of nodes [m]
+  int cells;                                              ///< padded number of cells
+  std::ptrdiff_t stride;                                  ///< between planes
+  const Node *ux_lower, *uy_lower, *ux_upper, *uy_upper;  ///< displacements of the two rows of nodes [m]
   const Real* stiffness;  ///< E (one Poisson ratio) or the Lame constant; times the volume share [Pa]
   const Real* shear;      ///< shear modulus times the volume share [Pa]; unused with one Poisson ratio
   const float* tension;   ///< tensile threshold, in the scale of the stress of this kernel
@@ -93,8 +94,8 @@ struct Features {
 };
 
 /// @return nonzero if some cell of the row is suspect.
-template <class Real>
-using SweepCells = Flag<Real> (*)(const CellRow<Real>&);
+template <class Real, class Node = double>
+using SweepCells = Flag<Real> (*)(const CellRow<Real, Node>&);
 template <class Real>
 using SweepNodes = NodeSums (*)(const NodeRow<Real>&);
 
@@ -105,6 +106,7 @@ struct Kernels {
   SweepCells<double> (*cells_double)(const Features&);
   SweepNodes<float> (*nodes_single)(const Features&);
   SweepNodes<double> (*nodes_double)(const Features&);
+  SweepCells<float, float> (*corrections)(const Features&);  ///< all in 32 bits; no check, no closure
 
   template <class Real>
   [[nodiscard]] SweepCells<Real> cells(const Features& features) const {

@@ -223,7 +223,6 @@ Plan plan(const Scene& scene) {
   }
   if (scene.method == SolverMethod::quasi_static) {  // there is no time; failures make the steps
     plan.dt = plan.ramp_time = 0;
-    plan.threads = 1;
     plan.steps = scene.history_rows;
     plan.steps_per_row = 1;
     return plan;

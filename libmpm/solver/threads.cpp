@@ -5,7 +5,28 @@
 #include <string>
 #include <thread>
 
+#include "libmpm/kernels/instruction_set.hpp"
+
 namespace mpm {
+
+Team::Team(int threads) : barrier_(threads) {
+  for (int part = 1; part < threads; ++part) others_.emplace_back([this, part] { serve(part); });
+}
+
+Team::~Team() {
+  parts_ = 0;
+  if (!others_.empty()) barrier_.arrive_and_wait();
+}
+
+void Team::serve(int part) {
+  const FlushToZero flush;
+  for (;;) {
+    barrier_.arrive_and_wait();
+    if (parts_ == 0) return;
+    if (part < parts_) call_(work_, part);
+    barrier_.arrive_and_wait();
+  }
+}
 
 int idle_cores() {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

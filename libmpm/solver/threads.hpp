@@ -1,10 +1,12 @@
-/// The barrier of the threads of a run, used thousands of times a second; and the number of idle cores.
+/// The barrier of the threads of a run, used thousands of times a second, and a team of threads that share
+/// work; and the number of idle cores.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <istream>
 #include <thread>
+#include <vector>
 
 #ifdef __x86_64__
 #include <immintrin.h>
@@ -53,6 +55,39 @@ class Barrier {
   const int threads_;
   alignas(64) std::atomic<int> missing_;
   alignas(64) std::atomic<std::uint32_t> round_{0};
+};
+
+/// Threads that wait for work and share it.
+class Team {
+ public:
+  explicit Team(int threads);
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+  ~Team();
+
+  [[nodiscard]] int threads() const { return static_cast<int>(others_.size()) + 1; }
+
+  /// Calls work(part) for every part in [0, parts), each on a thread of its own, and returns when all are
+  /// done.   @pre parts <= threads(); work does not throw.
+  template <class Work>
+  void share(int parts, const Work& work) {
+    if (parts == 1) return work(0);
+    parts_ = parts;
+    work_ = &work;
+    call_ = [](const void* what, int part) { (*static_cast<const Work*>(what))(part); };
+    barrier_.arrive_and_wait();
+    work(0);
+    barrier_.arrive_and_wait();
+  }
+
+ private:
+  void serve(int part);
+
+  Barrier barrier_;
+  int parts_ = 0;  ///< 0 = no more work comes
+  const void* work_ = nullptr;
+  void (*call_)(const void*, int) = nullptr;
+  std::vector<std::jthread> others_;
 };
 
 /// Number of cores that are idle now, >= 1; all cores if the system does not say.

@@ -30,6 +30,11 @@ class CoarseAxis {
   [[nodiscard]] int fine_cells() const { return fine_cells_; }
   /// Cells of the finer grid in a cell begin with cell 2 c.
   [[nodiscard]] int children(int cell) const { return cell + 1 == cells() ? fine_cells_ - 2 * cell : 2; }
+  /// In cells of the finest grid.
+  [[nodiscard]] int length(int cell) const {
+    const auto c = static_cast<std::size_t>(cell);
+    return static_cast<int>(places_[c + 1] - places_[c]);
+  }
   /// Whether a cell holds two cells of the same length.
   [[nodiscard]] bool halves(int cell) const { return children(cell) == 2 && weight(2 * cell + 1) == 0.5; }
   /// The cell that a node of the finer grid lies in; at the node between two cells the right one.

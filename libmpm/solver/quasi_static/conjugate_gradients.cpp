@@ -1,6 +1,8 @@
 #include "libmpm/solver/quasi_static/conjugate_gradients.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "libmpm/kernels/instruction_set.hpp"
 
@@ -8,20 +10,11 @@ namespace mpm {
 namespace {
 
 constexpr int most_iterations = 2000;  ///< of one solve
+/// Share of the squared error down to which the bits follow it [-].
+template <class Real>
+constexpr double followed = sizeof(Real) == sizeof(float) ? 1e-6 : 0;
 /// Of the energy at the start: where nothing is left of it the solution is motion without strain.
 constexpr double no_energy = 1e-10;
-
-/// to += factor from
-void add_times(NodeField& to, double factor, const NodeField& from) {
-  for (std::size_t i = 0; i < to.x.size(); ++i) to.x[i] += factor * from.x[i];
-  for (std::size_t i = 0; i < to.y.size(); ++i) to.y[i] += factor * from.y[i];
-}
-
-/// to = from + factor to
-void times_and_add(NodeField& to, double factor, const NodeField& from) {
-  for (std::size_t i = 0; i < to.x.size(); ++i) to.x[i] = from.x[i] + factor * to.x[i];
-  for (std::size_t i = 0; i < to.y.size(); ++i) to.y[i] = from.y[i] + factor * to.y[i];
-}
 
 }  // namespace
 
@@ -40,52 +33,179 @@ double dot(const CellShape& shape, const NodeField& a, const NodeField& b) {
   return sum;
 }
 
-ConjugateGradients::ConjugateGradients(const FineGrid& fine, Multigrid& multigrid)
-    : fine_(fine), multigrid_(multigrid) {
-  for (NodeField* field : {&no_load_, &residual_, &preconditioned_, &direction_, &image_})
-    *field = fine.shape().zeros();
+template <class Real>
+GradientsOf<Real>::GradientsOf(const FineGrid& fine, MultigridOf<Real>& multigrid,
+                               const equilibrium::Kernels& kernels)
+    : fine_(fine),
+      multigrid_(multigrid),
+      all_kernels_(kernels),
+      kernels_(kernels.corrections<Real>()),
+      grid_(fine.shape()),
+      nodes_(padded(grid_.cells_x + 1)) {
+  for (Correction* field : {&residual_, &preconditioned_, &direction_, &image_})
+    *field = grid_.template zeros<Real>();
+  const int bands = StaggeredSweep<Real>::bands_for(grid_.cells_y, grid_.cells(), multigrid.team().threads());
+  force_sweep_.resize(grid_.cells_y, grid_.cell_stride(), bands);
+  sweep_.resize(grid_.cells_y, grid_.cell_stride(), bands);
+  row_sums_.assign(static_cast<std::size_t>(grid_.cells_y + 1), 0.0);
+  row_forces_ = row_sums_;
 }
 
-/// What of forces acts on unknowns.
-void ConjugateGradients::leave_unknowns(NodeField& field) const {
-  if (fine_.edges() == EdgeNodes::wrapped) fold_loads(fine_.shape(), field);
-  fine_.clear_held(field);
+/// In one order for any number of threads.
+template <class Real>
+double GradientsOf<Real>::sum_of_rows() const {
+  return std::accumulate(row_sums_.begin(), row_sums_.end(), 0.0);
 }
 
-const NodeField& ConjugateGradients::unbalanced(const NodeField& u, const NodeField* load) {
-  multigrid_.residual(load != nullptr ? *load : no_load_, u, image_);
-  return image_;
+template <class Real>
+double GradientsOf<Real>::product(const Correction& a, const Correction& b) {
+  sweep_.each_row(multigrid_.team(), [&](int row) {
+    const std::size_t at = grid_.node(row, 0);
+    row_sums_[static_cast<std::size_t>(row)] = kernels_.dot(nodes_, a.from(at), b.from(at));
+  });
+  return sum_of_rows();
 }
 
-bool ConjugateGradients::solve(NodeField& u, double reduction, double accuracy, const NodeField* load) {
+/// nodes(row of nodes, forces of the cells below, of those above), which returns its sums.
+template <class Real>
+template <class Nodes>
+void GradientsOf<Real>::sweep_forces(const NodeField& u, const Nodes& nodes) {
+  force_sweep_.run(
+      multigrid_.team(), 1, [](int /*row*/) {},
+      [&](int /*sweep*/, int row, auto& lower, auto& upper) {
+        fine_.forces(row, u, lower.forces(), upper.forces());
+      },
+      [&](int /*sweep*/, int row, const auto& below, const auto& above) {
+        const equilibrium::NodeSums sums = nodes(row, below.forces(), above.forces());
+        row_sums_[static_cast<std::size_t>(row)] = -sums.work;
+        row_forces_[static_cast<std::size_t>(row)] = sums.force_y;
+      });
+}
+
+template <class Real>
+const NodeField& GradientsOf<Real>::unbalanced(const NodeField& u, const NodeField* load) {
+  if (unbalanced_.x.empty()) unbalanced_ = grid_.zeros();
+  sweep_forces(u, [&](int row, const auto& below, const auto& above) {
+    const std::size_t at = grid_.node(row, 0);
+    return all_kernels_.all_forces(
+        {nodes_, below, above, u.from(at), nullptr, nullptr, unbalanced_.from(at)});
+  });
+  if (load == nullptr) return unbalanced_;
+  const auto add = [](AlignedVector<double>& to, const AlignedVector<double>& from) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
+  };
+  add(unbalanced_.x, load->x);
+  add(unbalanced_.y, load->y);
+  return unbalanced_;
+}
+
+/// The unbalanced forces on unknowns.   @return twice the elastic energy.
+template <class Real>
+double GradientsOf<Real>::find_residual(const NodeField& u, const NodeField* load) {
+  const typename MultigridOf<Real>::NodeInverse& inverse = multigrid_.inverse();
+  if (load == nullptr && fine_.edges() != EdgeNodes::wrapped) {
+    sweep_forces(u, [&](int row, const auto& below, const auto& above) {
+      const std::size_t at = grid_.node(row, 0);
+      return kernels_.known_forces({nodes_, below, above, u.from(at), inverse.xx.data() + at,
+                                    inverse.yy.data() + at, residual_.from(at)});
+    });
+    return sum_of_rows();
+  }
+  (void)unbalanced(u, load);
+  if (fine_.edges() == EdgeNodes::wrapped) fold_loads(grid_, unbalanced_);
+  const auto take = [](const AlignedVector<double>& from, const AlignedVector<Real>& known,
+                       AlignedVector<Real>& to) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = known[i] > 0 ? static_cast<Real>(from[i]) : 0;
+  };
+  take(unbalanced_.x, inverse.xx, residual_.x);
+  take(unbalanced_.y, inverse.yy, residual_.y);
+  return sum_of_rows();
+}
+
+/// The next direction, and the forces that it changes.   @return twice the energy of the direction.
+template <class Real>
+double GradientsOf<Real>::turn(Real factor) {
+  const typename MultigridOf<Real>::NodeInverse& inverse = multigrid_.inverse();
+  sweep_.run(
+      multigrid_.team(), 1,
+      [&](int row) {
+        const std::size_t at = grid_.node(row, 0);
+        kernels_.turn(nodes_, factor, std::as_const(preconditioned_).from(at), direction_.from(at));
+      },
+      [&](int /*sweep*/, int row, auto& lower, auto& upper) {
+        fine_.forces(row, direction_, lower.forces(), upper.forces());
+      },
+      [&](int /*sweep*/, int row, const auto& below, const auto& above) {
+        const std::size_t at = grid_.node(row, 0);
+        kernels_.forces({.nodes = nodes_,
+                         .below = below.forces(),
+                         .above = above.forces(),
+                         .load_x = nullptr,
+                         .load_y = nullptr,
+                         .inverse_xx = inverse.xx.data() + at,
+                         .inverse_xy = nullptr,
+                         .inverse_yy = inverse.yy.data() + at,
+                         .weight = 0,
+                         .x = image_.x.data() + at,
+                         .y = image_.y.data() + at});
+        row_sums_[static_cast<std::size_t>(row)] =
+            -kernels_.dot(nodes_, std::as_const(direction_).from(at), std::as_const(image_).from(at));
+      });
+  if (fine_.edges() == EdgeNodes::wrapped) fold_loads(grid_, image_);
+  return sum_of_rows();
+}
+
+template <class Real>
+void GradientsOf<Real>::advance(Real factor, NodeField& u) {
+  sweep_.each_row(multigrid_.team(), [&](int row) {
+    const std::size_t at = grid_.node(row, 0);
+    kernels_.advance(nodes_, factor, std::as_const(direction_).from(at), std::as_const(image_).from(at),
+                     u.from(at), residual_.from(at));
+  });
+}
+
+template <class Real>
+bool GradientsOf<Real>::solve(NodeField& u, double reduction, double accuracy, const NodeField* load) {
   const FlushToZero flush;
-  const CellShape grid = fine_.shape();
-  multigrid_.residual(load != nullptr ? *load : no_load_, u, residual_);
   // Twice that of the displacements; what an iteration wins lowers it without loads, and raises it with them.
-  double energy = (load != nullptr ? dot(grid, u, *load) : 0) - dot(grid, u, residual_);
-  leave_unknowns(residual_);
+  double energy = find_residual(u, load);
   const double least = no_energy * energy;
   double goal = 0;
-  double left = 0;  // about the square of the error in the norm of the energy
+  double left = 0;   // about the square of the error in the norm of the energy
+  double fresh = 0;  // what it was when the residual was last computed from the displacements
   const auto is_reached = [&] {
     return left <= std::max(goal, accuracy * accuracy * std::max(energy, least));
   };
   for (int i = 0; i < most_iterations; ++i, ++iterations_) {
-    multigrid_.precondition(residual_, preconditioned_);
+    multigrid_.precondition(residual_, preconditioned_, image_);
     const double before = left;
-    left = dot(grid, residual_, preconditioned_);
-    if (i == 0) goal = reduction * reduction * left;
+    left = product(residual_, preconditioned_);
+    if (i == 0) {
+      goal = reduction * reduction * left;
+      fresh = left;
+    }
     if (is_reached()) break;
-    times_and_add(direction_, i > 0 ? left / before : 0, preconditioned_);
-    multigrid_.residual(no_load_, direction_, image_);  // minus the stiffness times the direction
-    leave_unknowns(image_);
-    const double curvature = -dot(grid, direction_, image_);
+    const double curvature = turn(static_cast<Real>(i > 0 ? left / before : 0));
     if (!(curvature > 0)) return false;
-    add_times(u, left / curvature, direction_);
-    add_times(residual_, left / curvature, image_);
-    energy += (load != nullptr ? 1 : -1) * left * left / curvature;
+    const double length = left / curvature;
+    advance(static_cast<Real>(length), u);
+    energy += (load != nullptr ? 1 : -1) * left * length;
+    if (left > followed<Real> * fresh) continue;
+    energy = find_residual(u, load);
+    fresh = left;
   }
+  (void)find_residual(u, load);
   return is_reached();
+}
+
+template class GradientsOf<float>;
+template class GradientsOf<double>;
+
+ConjugateGradients::ConjugateGradients(const FineGrid& fine, Multigrid& multigrid) {
+  if (multigrid.single() != nullptr)
+    single_ = std::make_unique<GradientsOf<float>>(fine, *multigrid.single(), multigrid.kernels());
+  else
+    whole_ = std::make_unique<GradientsOf<double>>(fine, *multigrid.whole(), multigrid.kernels());
 }
 
 }  // namespace mpm

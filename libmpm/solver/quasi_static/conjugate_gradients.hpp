@@ -1,16 +1,25 @@
 /// Displacements in equilibrium: conjugate gradients on the finest grid, preconditioned by multigrid.
+///
+/// The displacements have 64 bits, and so have the forces that they leave unbalanced when they are computed
+/// from them; what corrects them has 32 bits. When the forces have become as small as 32 bits can follow,
+/// they are computed again.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "libmpm/solver/quasi_static/multigrid.hpp"
 
 namespace mpm {
 
-class ConjugateGradients {
+/// @tparam Real  of what corrects the displacements.
+template <class Real>
+class GradientsOf {
  public:
   /// Both must outlive this.
-  ConjugateGradients(const FineGrid& fine, Multigrid& multigrid);
+  GradientsOf(const FineGrid& fine, MultigridOf<Real>& multigrid, const equilibrium::Kernels& kernels);
+  using Correction = NodeFieldOf<Real>;
 
   /// Improves displacements whose components at held nodes are right; on a wrapped grid whose differences
   /// between copy and original are.
@@ -23,15 +32,70 @@ class ConjugateGradients {
   /// Load minus stiffness times u at every node: what holds it there. Valid until the next call.
   [[nodiscard]] const NodeField& unbalanced(const NodeField& u, const NodeField* load = nullptr);
 
+  /// Sums over all nodes of a row, held or not, of the forces along y of the cells.
+  /// @pre a solve came before, and nothing changed.
+  [[nodiscard]] double force_y(int row) const { return row_forces_[static_cast<std::size_t>(row)]; }
+
+  /// Calls work(row) for all rows of nodes, on all threads.
+  template <class Work>
+  void each_row(const Work& work) {
+    sweep_.each_row(multigrid_.team(), work);
+  }
+
   [[nodiscard]] std::int64_t iterations() const { return iterations_; }  ///< of all solves
 
  private:
-  void leave_unknowns(NodeField& field) const;
+  template <class Nodes>
+  void sweep_forces(const NodeField& u, const Nodes& nodes);
+  double find_residual(const NodeField& u, const NodeField* load);
+  double gather(const equilibrium::NodeSums& sums, int row);
+  [[nodiscard]] double sum_of_rows() const;
+  [[nodiscard]] double product(const Correction& a, const Correction& b);
+  double turn(Real factor);
+  void advance(Real factor, NodeField& u);
 
   const FineGrid& fine_;
-  Multigrid& multigrid_;
-  NodeField no_load_, residual_, preconditioned_, direction_, image_;
+  MultigridOf<Real>& multigrid_;
+  const equilibrium::Kernels& all_kernels_;
+  const equilibrium::Corrections<Real>& kernels_;
+  CellShape grid_;
+  int nodes_;  ///< padded number of nodes in a row
+  StaggeredSweep<double> force_sweep_;
+  StaggeredSweep<Real> sweep_;
+  NodeField unbalanced_;  ///< empty until it is asked for
+  Correction residual_, preconditioned_, direction_, image_;
+  std::vector<double> row_sums_, row_forces_;
   std::int64_t iterations_ = 0;
+};
+
+/// With as many bits as its multigrid.
+class ConjugateGradients {
+ public:
+  /// Both must outlive this.
+  ConjugateGradients(const FineGrid& fine, Multigrid& multigrid);
+
+  /// See GradientsOf.
+  [[nodiscard]] bool solve(NodeField& u, double reduction, double accuracy, const NodeField* load = nullptr) {
+    return single_ ? single_->solve(u, reduction, accuracy, load)
+                   : whole_->solve(u, reduction, accuracy, load);
+  }
+  [[nodiscard]] const NodeField& unbalanced(const NodeField& u, const NodeField* load = nullptr) {
+    return single_ ? single_->unbalanced(u, load) : whole_->unbalanced(u, load);
+  }
+  [[nodiscard]] double force_y(int row) const {
+    return single_ ? single_->force_y(row) : whole_->force_y(row);
+  }
+  template <class Work>
+  void each_row(const Work& work) {
+    single_ ? single_->each_row(work) : whole_->each_row(work);
+  }
+  [[nodiscard]] std::int64_t iterations() const {
+    return single_ ? single_->iterations() : whole_->iterations();
+  }
+
+ private:
+  std::unique_ptr<GradientsOf<float>> single_;  ///< one of both
+  std::unique_ptr<GradientsOf<double>> whole_;
 };
 
 /// Scalar product over all nodes; row by row, so that it is the same for any number of threads.

@@ -21,7 +21,7 @@ Equilibrium::Equilibrium(const Scene& scene, const Plan& plan, const StrengthFac
 void Equilibrium::make_multigrid() {
   const FineGrid& fine = *this;
   multigrid_ = std::make_unique<Multigrid>(fine, coarsenings(plan_.cells_x, plan_.cells_y),
-                                           chosen_equilibrium_kernels(scene_.instruction_set));
+                                           chosen_equilibrium_kernels(scene_.instruction_set), plan_.threads);
   gradients_ = std::make_unique<ConjugateGradients>(fine, *multigrid_);
 }
 
@@ -31,8 +31,7 @@ bool Equilibrium::restore(const AlignedVector<double>& stiffness, const AlignedV
                       [](double a, double b) { return a >= 0 && a <= b; });
   };
   if (!possible(stiffness, points_.stiffness) || !possible(shear, points_.shear)) return false;
-  points_.stiffness = stiffness;
-  points_.shear = shear;
+  take_over(stiffness, shear);
   make_multigrid();
   return true;
 }
@@ -85,14 +84,9 @@ bool Equilibrium::solve(double reduction) {
 }
 
 void Equilibrium::read_reactions() {
-  const NodeField& reactions = gradients_->unbalanced(u_);
-  const auto sum = [&](int row) {
-    double force = 0;
-    for (int col = 0; col <= plan_.cells_x; ++col) force += reactions.y[shape().node(row, col)];
-    return force / (points_.planes * scene_.width());
-  };
-  modulus_top_ = -sum(plan_.cells_y);
-  modulus_bottom_ = sum(0);
+  const double area = points_.planes * scene_.width();
+  modulus_top_ = -gradients_->force_y(plan_.cells_y) / area;
+  modulus_bottom_ = gradients_->force_y(0) / area;
 }
 
 void Equilibrium::change(const std::vector<Change>& changes) {
@@ -101,6 +95,31 @@ void Equilibrium::change(const std::vector<Change>& changes) {
     if (keep(one.row, one.plane, one.cell, one.kept)) cells.push_back({one.row, one.cell});
   }
   multigrid_->update(std::move(cells));
+}
+
+double Equilibrium::largest_utilisation(int row, int plane, const Resistance& resistance, double sign) const {
+  const std::size_t at = points_.at(row, plane, 0);
+  const std::size_t below = shape().node(row, 0);
+  const std::size_t above = shape().node(row + 1, 0);
+  const int k = scene_.points_per_cell;
+  const Eigen::Matrix3d& unit = unit_stiffness();
+  return chosen_equilibrium_kernels(scene_.instruction_set)
+      .largest_utilisation({.cells = static_cast<int>(points_.stride),
+                            .ux_lower = u_.x.data() + below,
+                            .uy_lower = u_.y.data() + below,
+                            .ux_upper = u_.x.data() + above,
+                            .uy_upper = u_.y.data() + above,
+                            .xi = (plane % k + 0.5) / k,
+                            .eta = (plane / k + 0.5) / k,
+                            .scale = sign / plan_.cell_size,
+                            .stiffness = points_.stiffness.data() + at,
+                            .shear = points_.shear.empty() ? nullptr : points_.shear.data() + at,
+                            .unit_axial = unit(0, 0),
+                            .unit_lateral = unit(0, 1),
+                            .unit_shear = unit(2, 2),
+                            .tension = resistance.tension.data() + at,
+                            .crush = resistance.crush.data() + at,
+                            .crush_share = resistance.crush_share});
 }
 
 CellDisplacement Equilibrium::displacement(int row, int cell) const {

@@ -14,6 +14,12 @@
 
 namespace mpm {
 
+/// Inverse of what each point resists, see equilibrium::PointRow.
+struct Resistance {
+  AlignedVector<float> tension, crush;
+  double crush_share = 0;
+};
+
 /// The specimen between its platens at a platen strain of 1: the lower platen stands still, the upper one has
 /// moved up by the height. Points are those of the lattice.
 class Equilibrium final : private LatticeCells {
@@ -52,6 +58,17 @@ class Equilibrium final : private LatticeCells {
   using LatticeCells::label;
   using LatticeCells::pixel;
   using LatticeCells::points;
+
+  /// Largest utilisation at a platen strain of 1 of the points at a place of the cells of a row.
+  [[nodiscard]] double largest_utilisation(int row, int plane, const Resistance& resistance,
+                                           double sign) const;
+  /// Calls work(row) for all rows of cells, on all threads.
+  template <class Work>
+  void each_row(const Work& work) {
+    gradients_->each_row([&](int row) {
+      if (row < plan_.cells_y) work(row);
+    });
+  }
 
   [[nodiscard]] const NodeField& displacements() const { return u_; }
   [[nodiscard]] NodeField& displacements() { return u_; }

@@ -21,7 +21,10 @@ class LatticeCells : public FineGrid {
   [[nodiscard]] CellShape shape() const override { return {plan_.cells_x, plan_.cells_y}; }
   void forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
               kernels::NodeForces<double> upper) const override;
-  [[nodiscard]] CellStiffness cell(int row, int col) const override;
+  void forces(int row, const NodeFieldOf<float>& u, kernels::NodeForces<float> lower,
+              kernels::NodeForces<float> upper) const override;
+  [[nodiscard]] CellModes cell(int row, int col) const override;
+  [[nodiscard]] double contrast() const override;
 
   [[nodiscard]] const LatticePoints<double>& points() const { return points_; }
   /// Pixel of a point; those of padding cells lie beyond the picture.
@@ -37,17 +40,30 @@ class LatticeCells : public FineGrid {
   bool keep(int row, int plane, int cell, double share);
 
  protected:
+  /// Of a phase with Young's modulus 1 and the plan's Poisson ratio [-].
+  [[nodiscard]] const Eigen::Matrix3d& unit_stiffness() const { return unit_stiffness_; }
+  /// Takes over what points() held in another run.
+  void take_over(const AlignedVector<double>& stiffness, const AlignedVector<double>& shear);
+
   const Scene& scene_;
   Plan plan_;
   LatticePoints<double> points_;
 
  private:
+  /// What points_ hold, in 32 bits.
+  struct Single {
+    AlignedVector<float> stiffness, shear;
+  };
+
+  void round_points();
   [[nodiscard]] double share_of(std::uint8_t label, std::size_t at) const;
 
   PointStiffness stiffness_;
   std::vector<double> intact_;  ///< what points_ hold of an intact point, by label [Pa]
   Eigen::Matrix3d unit_stiffness_;
   kernels::SweepCells<double> sweep_cells_;
+  kernels::SweepCells<float, float> sweep_corrections_;
+  Single single_;
 };
 
 }  // namespace mpm

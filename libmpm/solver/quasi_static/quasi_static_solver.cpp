@@ -9,6 +9,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double reduction = 1e-3;  ///< of the error that the last failures have added
+constexpr double rounding = 1e-5;   ///< of the utilisation of a row [-]
 /// Share of its stiffness that a failed point keeps, so that what has come loose stays where it is.
 constexpr double remainder = 1e-6;
 
@@ -45,7 +46,12 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
   }
   const LatticePoints<double>& points = equilibrium_.points();
   factors_.assign(points.stiffness.size(), 0.0);
-  onsets_.assign(points.stiffness.size(), never);
+  resistance_.tension.assign(points.stiffness.size(), 0.0F);
+  resistance_.crush.assign(points.stiffness.size(), 0.0F);
+  for (const Limits& limits : limits_)
+    if (limits.cohesion > 0)
+      resistance_.crush_share = std::max(resistance_.crush_share, (1 + limits.sine) / limits.cohesion);
+  utilisations_.assign(static_cast<std::size_t>(plan.cells_y * points.planes), 0.0);
   if (plan.softens) strengths_.assign(points.stiffness.size(), never);
   each_point([&](const Place& at, std::size_t index) {
     const std::uint8_t* label = equilibrium_.label(at.row, at.plane, at.cell);
@@ -53,6 +59,7 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
     const Pixel pixel = equilibrium_.pixel(at.row, at.plane, at.cell);
     factors_[index] = factors(pixel.row, pixel.col);
     if (plan.softens) strengths_[index] = limits_[*label].tension * factors_[index];
+    set_resistance(at, index);
   });
 }
 
@@ -95,18 +102,55 @@ double QuasiStaticSolver::kept_at(const Place& at) const {
   return strengths_.empty() ? 1 : equilibrium_.kept(at.row, at.plane, at.cell);
 }
 
+/// @pre the point can fail.
+QuasiStaticSolver::Onset QuasiStaticSolver::onset_at(const Place& at, std::size_t index) const {
+  const Limits& limits = limits_at(at);
+  const double strength = strengths_.empty() ? limits.tension * factors_[index] : strengths_[index];
+  const double kept = kept_at(at);
+  const Stress<double> s = elastic_at(limits, at, 1);
+  return onset_of(limits, factors_[index], strength, {kept * s.xx, kept * s.yy, kept * s.xy});
+}
+
+/// What the search for the next failure asks of a point: never less than the criteria do.
+void QuasiStaticSolver::set_resistance(const Place& at, std::size_t index) {
+  const Limits& limits = limits_at(at);
+  const double factor = factors_[index];
+  const double strength = strengths_.empty() ? limits.tension * factor : strengths_[index];
+  resistance_.tension[index] = static_cast<float>(factor > 0 ? 1 / strength : 0);
+  resistance_.crush[index] =
+      static_cast<float>(factor > 0 ? (1 - limits.sine) / (factor * limits.cohesion) : 0);
+}
+
+/// Visits every point that can fail up to a strain, and others.
+template <class Visit>
+void QuasiStaticSolver::each_point_near(double strain, const Visit& visit) const {
+  const LatticePoints<double>& points = equilibrium_.points();
+  const double least = (1 - rounding) / strain;
+  std::size_t i = 0;
+  for (int row = 0; row < plan_.cells_y; ++row)
+    for (int plane = 0; plane < points.planes; ++plane, ++i)
+      for (int cell = 0; cell < plan_.cells_x && utilisations_[i] >= least; ++cell)
+        if (const std::size_t index = points.at(row, plane, cell); factors_[index] > 0)
+          visit(Place{row, plane, cell}, index);
+}
+
+/// The onset of a point is looked at where its row may have the next one.
 void QuasiStaticSolver::find_onsets() {
-  next_ = never;
-  each_point([&](const Place& at, std::size_t index) {
-    if (factors_[index] <= 0) return;
-    const Limits& limits = limits_at(at);
-    const double strength = strengths_.empty() ? limits.tension * factors_[index] : strengths_[index];
-    const double kept = kept_at(at);
-    const Stress<double> s = elastic_at(limits, at, 1);
-    const Onset onset = onset_of(limits, factors_[index], strength, {kept * s.xx, kept * s.yy, kept * s.xy});
-    next_ = std::min(next_, onset.strain);
-    onsets_[index] = onset.mode == FailureMode::shear ? -onset.strain : onset.strain;
+  const int planes = equilibrium_.points().planes;
+  equilibrium_.each_row([&](int row) {
+    for (int plane = 0; plane < planes; ++plane)
+      utilisations_[static_cast<std::size_t>(row * planes + plane)] =
+          equilibrium_.largest_utilisation(row, plane, resistance_, sign_);
   });
+  const double largest = *std::max_element(utilisations_.begin(), utilisations_.end());
+  next_ = never;
+  if (!(largest > 0)) return;
+  // The row with the largest utilisation has a point that fails not much later, whatever the others do.
+  const auto take = [&](const Place& at, std::size_t index) {
+    next_ = std::min(next_, onset_at(at, index).strain);
+  };
+  each_point_near(1 / largest, take);
+  each_point_near(next_, take);
 }
 
 double QuasiStaticSolver::energy() const {
@@ -130,9 +174,10 @@ void QuasiStaticSolver::record(const Place& at, FailureMode mode, double strain)
 }
 
 /// The point is gone.   @return the share of its stiffness that it keeps.
-double QuasiStaticSolver::fail(const Place& at, std::size_t index, double strain) {
-  record(at, onsets_[index] < 0 ? FailureMode::shear : FailureMode::tension, strain);
+double QuasiStaticSolver::fail(const Place& at, std::size_t index, FailureMode mode, double strain) {
+  record(at, mode, strain);
   factors_[index] = 0;
+  set_resistance(at, index);
   if (scene_.damage.residual_stiffness <= 0) --carrying_;
   return least_kept();
 }
@@ -147,8 +192,9 @@ double QuasiStaticSolver::soften(const Place& at, std::size_t index, double stra
   const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, limits.normal * (s.xx + s.yy));
   const Tooth tooth = next_tooth(softening(phase, scene_.plane, peak, plan_.cell_size), kept_at(at),
                                  std::max(principal.first, principal.normal));
-  if (tooth.kept <= least_kept()) return fail(at, index, strain);
+  if (tooth.kept <= least_kept()) return fail(at, index, FailureMode::tension, strain);
   strengths_[index] = tooth.strength;
+  set_resistance(at, index);
   if (tooth.strength <= 0.5 * peak) record(at, FailureMode::tension, strain);
   return tooth.kept;
 }
@@ -157,12 +203,13 @@ double QuasiStaticSolver::least_kept() const { return std::max(scene_.damage.res
 
 void QuasiStaticSolver::fail_points(double strain, double up_to) {
   std::vector<Equilibrium::Change> changes;
-  each_point([&](const Place& at, std::size_t index) {
-    const double onset = onsets_[index];
-    if (factors_[index] <= 0 || std::abs(onset) > up_to) return;
-    const bool softens =
-        onset > 0 && scene_.phases[*equilibrium_.label(at.row, at.plane, at.cell)]->softens();
-    const double kept = softens ? soften(at, index, std::max(strain, onset)) : fail(at, index, strain);
+  each_point_near(up_to, [&](const Place& at, std::size_t index) {
+    const Onset onset = onset_at(at, index);
+    if (onset.strain > up_to) return;
+    const bool softens = onset.mode == FailureMode::tension &&
+                         scene_.phases[*equilibrium_.label(at.row, at.plane, at.cell)]->softens();
+    const double kept =
+        softens ? soften(at, index, std::max(strain, onset.strain)) : fail(at, index, onset.mode, strain);
     changes.push_back({at.row, at.plane, at.cell, kept});
   });
   equilibrium_.change(changes);
@@ -244,7 +291,6 @@ void QuasiStaticSolver::pass(Archive& archive, Self& self) {
   archive.finite(self.tally_.released);
   archive.flag(self.done_);
   archive.block(self.factors_);
-  archive.block(self.onsets_);
   archive.block(self.strengths_);
   archive.raw(&self.next_, 1);
   archive.block(self.equilibrium_.displacements().x);
@@ -277,7 +323,11 @@ void QuasiStaticSolver::restore(ArchiveReader& archive) {
     tally_.tension_failures += mode == static_cast<std::uint8_t>(FailureMode::tension) ? 1 : 0;
     tally_.shear_failures += mode == static_cast<std::uint8_t>(FailureMode::shear) ? 1 : 0;
   }
-  if (!equilibrium_.restore(stiffness, shear)) archive.fail("points of an impossible stiffness");
+  if (!equilibrium_.restore(stiffness, shear)) return archive.fail("points of an impossible stiffness");
+  each_point([&](const Place& at, std::size_t index) {
+    if (intact[index] > 0) set_resistance(at, index);
+  });
+  find_onsets();
 }
 
 }  // namespace mpm

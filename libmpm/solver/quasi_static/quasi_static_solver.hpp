@@ -73,9 +73,13 @@ class QuasiStaticSolver {
   [[nodiscard]] const Limits& limits_at(const Place& at) const;
   [[nodiscard]] Stress<double> elastic_at(const Limits& limits, const Place& at, double strain) const;
   [[nodiscard]] double kept_at(const Place& at) const;
+  [[nodiscard]] Onset onset_at(const Place& at, std::size_t index) const;
+  template <class Visit>
+  void each_point_near(double strain, const Visit& visit) const;
+  void set_resistance(const Place& at, std::size_t index);
   [[nodiscard]] double least_kept() const;
   void record(const Place& at, FailureMode mode, double strain);
-  double fail(const Place& at, std::size_t index, double strain);
+  double fail(const Place& at, std::size_t index, FailureMode mode, double strain);
   double soften(const Place& at, std::size_t index, double strain);
   void find_onsets();
   void add_work(double strain);
@@ -92,8 +96,10 @@ class QuasiStaticSolver {
   AlignedVector<double> factors_;  ///< q of each point as in LatticePoints [-]; 0 = it cannot fail (any more)
   AlignedVector<double>
       strengths_;  ///< largest principal stress that a softening point carries [Pa]; may be empty
-  AlignedVector<double> onsets_;  ///< strain at which each point fails [-]; negative = in shear
-  double next_ = 0;               ///< smallest of them [-]
+  Resistance resistance_;
+  std::vector<double>
+      utilisations_;  ///< at a platen strain of 1, the largest of each row and place in its cells
+  double next_ = 0;   ///< smallest strain at which a point fails [-]
   FailureMaps maps_;
   Tally tally_;
   double sign_ = 1;     ///< of the platen strain

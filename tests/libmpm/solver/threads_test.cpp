@@ -73,4 +73,20 @@ TEST(IdleCores, AreNoMoreThanThereAre) {
   EXPECT_LE(cores, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+TEST(Team, DoesEveryPartOnce) {
+  for (const int threads : {1, 2, 4}) {
+    mpm::Team team(threads);
+    EXPECT_EQ(team.threads(), threads);
+    std::vector<int> done(4, 0);
+    int expected[4] = {0, 0, 0, 0};
+    for (int round = 0; round < 500; ++round) {
+      const int parts = 1 + round % threads;
+      team.share(parts, [&](int part) { ++done[static_cast<std::size_t>(part)]; });
+      for (int part = 0; part < parts; ++part) ++expected[part];
+      for (int part = 0; part < 4; ++part)
+        ASSERT_EQ(done[static_cast<std::size_t>(part)], expected[part]) << round;
+    }
+  }
+}
+
 }  // namespace threads_test

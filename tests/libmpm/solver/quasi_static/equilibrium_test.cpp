@@ -135,4 +135,23 @@ TEST(Equilibrium, FollowsChangesOfItsPoints) {
   }
 }
 
+TEST(Equilibrium, HasTheSameBitsOnAnyNumberOfThreads) {
+  for (const int points : {0, 2})
+    for (const int rows : {128, 131}) {
+      if (points == 2 && rows % 2 == 1) continue;
+      Scene scene = with_cells(samples::unbreakable(samples::small_concrete(2 * rows, 256)), points);
+      const auto displacements = [&](int threads) {
+        scene.threads = threads;
+        Equilibrium equilibrium(scene, mpm::plan(scene), mpm::StrengthFactors(scene, false));
+        EXPECT_TRUE(equilibrium.solve(1e-4));
+        return equilibrium.displacements();
+      };
+      const mpm::NodeField one = displacements(1);
+      for (const int threads : {2, 3, 4}) {
+        const mpm::NodeField several = displacements(threads);
+        EXPECT_TRUE(several.x == one.x && several.y == one.y) << threads << " threads, " << points;
+      }
+    }
+}
+
 }  // namespace equilibrium_test

@@ -175,6 +175,29 @@ TEST(QuasiStatic, GoesOnAsIfItHadNeverStopped) {
   }
 }
 
+TEST(QuasiStatic, FailsAlikeOnAnyNumberOfThreads) {
+  Scene scene = concrete(130, 110);
+  scene.event_tolerance = 0.02;
+  const auto run = [&](int threads) {
+    scene.threads = threads;
+    mpm::RunHooks hooks;
+    int rows = 0;
+    hooks.observer = [&](const mpm::Progress&) { return ++rows < 20; };
+    return mpm::simulate(scene, hooks);
+  };
+  const Result one = run(1);
+  for (const int threads : {2, 3}) {
+    const Result several = run(threads);
+    EXPECT_EQ(several.threads, threads);
+    ASSERT_EQ(several.history.size(), one.history.size());
+    for (std::size_t i = 0; i < one.history.size(); ++i) {
+      EXPECT_EQ(several.history[i].stress, one.history[i].stress) << i;
+      EXPECT_EQ(several.history[i].strain, one.history[i].strain) << i;
+    }
+    EXPECT_TRUE((several.failure_mode == one.failure_mode).all());
+  }
+}
+
 TEST(QuasiStatic, FramesShowTheStressThatIsCarried) {
   Scene scene = concrete(24, 24);
   scene.frames = 4;
