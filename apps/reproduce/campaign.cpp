@@ -1,6 +1,7 @@
 #include "apps/reproduce/campaign.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 
 #include "apps/system/job_pool.hpp"
@@ -28,9 +29,9 @@ void check_id(const std::string& id) {
 
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> all{
-      generation_figure(), weibull_figure(),        curves_figure(),
-      damage_figure(),     two_aggregates_figure(), modulus_figure(),
-      strength_figure(),   cohesion_figure(),       objectivity_figure(),
+      generation_figure(),     weibull_figure(), curves_figure(),   damage_figure(),
+      two_aggregates_figure(), modulus_figure(), strength_figure(), cohesion_figure(),
+      objectivity_figure(),    inertia_figure(),
   };
   return all;
 }
@@ -46,7 +47,8 @@ std::vector<const Figure*> select_figures(const std::vector<std::string>& ids) {
 }
 
 std::string name_of(const Figure& figure) {
-  if (figure.ids == std::vector<std::string>{"objectivity"}) return "Objectivity";
+  if (figure.ids.size() == 1 && std::isdigit(figure.ids.front().front()) == 0)
+    return output::capitalised(figure.ids.front());
   if (figure.ids.size() == 1) return "Figure " + figure.ids.front();
   return "Figures " + figure.ids.front() + (figure.ids.size() == 2 ? " and " : " to ") + figure.ids.back();
 }

@@ -16,9 +16,7 @@ namespace {
 
 using output::Ink;
 
-/// Of the paper.
-constexpr double least_stress = 1.40e6, largest_stress = 2.09e6, least_strain = 45.92e-6,
-                 largest_strain = 103.21e-6;
+constexpr PaperBand band;
 constexpr double itz_share = 0.6;  ///< strength of the ITZ over that of the mortar, Table 1
 constexpr int shown_fields = 2;    ///< whose damage is drawn
 
@@ -63,7 +61,7 @@ Sample sample_of(const std::string& name, const std::vector<Trial>& trials, cons
 
 /// Stresses go with the strengths, so one step leads to the middle of the paper's peaks; to 0.1 MPa.
 double calibrated_scale(const Sample& table1) {
-  const double wanted = (least_stress + largest_stress) / 2;
+  const double wanted = (band.least_stress + band.largest_stress) / 2;
   return std::round(table1.scale * wanted / spread_of(table1.stresses).mean / 1e5) * 1e5;
 }
 
@@ -75,9 +73,7 @@ std::vector<Trial> calibrated_trials(const Effort& effort, const TrialResults& o
 
 /// Whether the mean peak lies where the paper's peaks lie.
 bool in_band(const Sample& sample) {
-  const double stress = spread_of(sample.stresses).mean, strain = spread_of(sample.strains).mean;
-  return least_stress <= stress && stress <= largest_stress && least_strain <= strain &&
-         strain <= largest_strain;
+  return in_paper_band(spread_of(sample.stresses).mean, spread_of(sample.strains).mean);
 }
 
 std::string peaks_text(const Sample& sample) {
@@ -182,9 +178,9 @@ std::vector<std::string> row_of(const Sample& sample) {
   const Crack crack = cracks_of(sample);
   return {sample.name + ", f_t = " + megapascals(sample.scale),
           megapascals(spread_of(sample.stresses)),
-          output::percent(share_within(sample.stresses, least_stress, largest_stress), 0),
+          output::percent(share_within(sample.stresses, band.least_stress, band.largest_stress), 0),
           microstrain(spread_of(sample.strains)),
-          output::percent(share_within(sample.strains, least_strain, largest_strain), 0),
+          output::percent(share_within(sample.strains, band.least_strain, band.largest_strain), 0),
           std::to_string(crack.tops),
           std::to_string(crack.bottoms),
           std::to_string(crack.other)};

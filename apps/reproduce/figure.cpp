@@ -28,6 +28,12 @@ Verdict verdict_of_share(double share) {
   return share > 0.2 ? Verdict::depends : Verdict::disagrees;
 }
 
+bool in_paper_band(double stress, double strain) {
+  const PaperBand band;
+  return band.least_stress <= stress && stress <= band.largest_stress && band.least_strain <= strain &&
+         strain <= band.largest_strain;
+}
+
 Trial square_trial(const Effort& effort, const std::string& scene, int seed,
                    const std::vector<Setting>& settings, bool keep_maps) {
   const std::string number = std::to_string(seed);

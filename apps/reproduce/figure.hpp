@@ -75,6 +75,13 @@ struct Figure {
 [[nodiscard]] Figure strength_figure();        ///< 13
 [[nodiscard]] Figure cohesion_figure();        ///< 14
 [[nodiscard]] Figure objectivity_figure();     ///< beyond the paper
+[[nodiscard]] Figure inertia_figure();         ///< beyond the paper
+
+/// Peaks of two aggregates in the paper: [Pa], [-].
+struct PaperBand {
+  double least_stress = 1.40e6, largest_stress = 2.09e6, least_strain = 45.92e-6, largest_strain = 103.21e-6;
+};
+[[nodiscard]] bool in_paper_band(double stress, double strain);
 
 [[nodiscard]] std::string megapascals(double stress);  ///< 3.43e6 -> "3.43 MPa"
 [[nodiscard]] std::string microstrain(double strain);  ///< 149e-6 -> "149 microstrain"

@@ -5,6 +5,30 @@
 #include "specimen/pack/grading.hpp"
 
 namespace app {
+namespace {
+
+bool keeps_place(const mpm::Scene& scene) { return scene.kinematics == mpm::Kinematics::small_strain; }
+
+void choose_cell(mpm::Scene& scene) {
+  scene.pixel_cells = keeps_place(scene);
+  scene.points_per_cell = scene.pixel_cells ? 1 : 2;
+}
+
+void choose_damping(mpm::Scene& scene) { scene.local_damping = keeps_place(scene) ? 0.2 : 0; }
+
+}  // namespace
+
+mpm::Scene default_scene() {
+  mpm::Scene scene;
+  choose_cell(scene);
+  choose_damping(scene);
+  return scene;
+}
+
+void follow_kinematics(Settings& settings) {
+  if (settings.automatic_cell) choose_cell(settings.scene);
+  if (settings.automatic_damping) choose_damping(settings.scene);
+}
 
 Source source_of(const Settings& settings) {
   const SpecimenChoice& choice = settings.specimen;

@@ -37,6 +37,9 @@ struct GradingChoice {
   specimen::Grading classes;  ///< used instead of the named curve where not empty
 };
 
+/// That of the library, with the cell and the damping that suit its kinematics.
+[[nodiscard]] mpm::Scene default_scene();
+
 struct Settings {
   SpecimenChoice specimen;
   double pixel_size = 0.5e-3;        ///< of drawn ellipses [m]
@@ -45,11 +48,18 @@ struct Settings {
   specimen::ConvertOptions convert;
   specimen::ItzOptions itz;
   std::vector<mpm::Phase> phases = mpm::concrete_phases();
-  mpm::Scene scene;   ///< loading, damage and solver; no labels, no phases
-  std::string title;  ///< of the report, the user's own words
+  mpm::Scene scene = default_scene();  ///< loading, damage and solver; no labels, no phases
+  bool automatic_cell = true;          ///< its cell follows from its kinematics, see follow_kinematics()
+  bool automatic_damping = true;       ///< so does its local damping
+  std::string title;                   ///< of the report, the user's own words
 };
 
 [[nodiscard]] Source source_of(const Settings& settings);
+
+/// Chooses what suits the kinematics where the user did not. For points that keep their place: a cell of one
+/// pixel, which a crack can cross wherever it runs, and a local damping that keeps the waves of one failure
+/// from causing the next. For points that move: 2 x 2 points a cell, no damping.
+void follow_kinematics(Settings& settings);
 
 /// Options of the packing with the grading that was chosen.   @throws specimen::Error.
 [[nodiscard]] specimen::PackingOptions packing_options(const Settings& settings);

@@ -27,7 +27,7 @@ def main():
     mesopix = sys.argv[1]
     seeds = int(sys.argv[2]) if len(sys.argv) > 2 else 10
     pixel = sys.argv[3] if len(sys.argv) > 3 else "0.5"
-    cell = sys.argv[4] if len(sys.argv) > 4 else "2 x 2"
+    cell = sys.argv[4] if len(sys.argv) > 4 else "pixel"
     direction = sys.argv[5] if len(sys.argv) > 5 else "tension"
     rates = ["0.05", "0.02", "0.01", "0.005"] if direction == "tension" else ["0.2", "0.1", "0.05", "0.02"]
     with tempfile.TemporaryDirectory() as folder:

@@ -102,7 +102,8 @@ TEST_F(SimulateCommand, SaysWhenNothingCarriesLoadAnyMore) {
   test::write_text("strip.toml",
                    "[specimen]\npicture = \"strip.pgm\"\n[convert]\nmethod = \"labels\"\nwidth = \"16 mm\"\n"
                    "label_phases = [\"2: mortar\"]\n[itz]\nmode = \"none\"\n[phases.mortar]\n"
-                   "weibull_modulus = 100\n[loading]\nvelocity = \"20 m/s\"\nstop_strain = 0.05\n");
+                   "weibull_modulus = 100\n[loading]\nvelocity = \"20 m/s\"\nstop_strain = 0.05\n"
+                   "[solver]\ncell = \"2 x 2\"\nlocal_damping = 0\n");
   ASSERT_EQ(run({"strip.toml", "-o", "run"}), Exit::ok) << err_.str();
   EXPECT_THAT(err_.str(),
               HasSubstr("note: nothing carries load any more: every point has failed; the run ended at"));

@@ -106,7 +106,12 @@ TEST(BuildScene, RefusesAnEdgeAtWhichThePlatenTouchesNothing) {
             "specimen: void along its top edge" + cure);
   EXPECT_EQ(complaint_about(specimen_of({"22", "22", "00", "00"}), {}),
             "specimen: void along its bottom edge" + cure);
-  EXPECT_EQ(complaint_about(specimen_of({"00", "02", "20", "00"}), {}), "accepted");
+  EXPECT_EQ(complaint_about(specimen_of({"00", "02", "20", "00"}), {}),
+            "specimen: void along its top edge" + cure);
+  app::Settings larger;  // the pixel below reaches the nodes of the edge
+  larger.scene.pixel_cells = false;
+  larger.scene.points_per_cell = 2;
+  EXPECT_EQ(complaint_about(specimen_of({"00", "02", "20", "00"}), larger), "accepted");
 }
 
 TEST(BuildScene, RefusesASpecimenInTwoParts) {

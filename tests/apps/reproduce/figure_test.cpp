@@ -56,7 +56,8 @@ TEST(FigureTable, RefusesAnUnknownFigure) {
   } catch (const app::Rejected& rejected) {
     EXPECT_EQ(rejected.code, app::Exit::usage);
     EXPECT_EQ(app::text(rejected.complaints.front()),
-              "--figure: 4; must be 1, 2, 3, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 or objectivity; leave it out, "
+              "--figure: 4; must be 1, 2, 3, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, objectivity or inertia; "
+              "leave it out, "
               "or give --all, for "
               "all of them");
   }

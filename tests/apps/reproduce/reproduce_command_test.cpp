@@ -32,10 +32,11 @@ TEST_F(ReproduceCommand, ReproducesOneFigureOfThePaper) {
 }
 
 TEST_F(ReproduceCommand, RefusesFiguresThatThePaperHasNot) {
-  expect_refusal({"--figure", "3", "--figure", "99"},
-                 "--figure: 99; must be 1, 2, 3, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 or objectivity; leave it "
-                 "out, or give "
-                 "--all, for all of them");
+  expect_refusal(
+      {"--figure", "3", "--figure", "99"},
+      "--figure: 99; must be 1, 2, 3, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, objectivity or inertia; leave it "
+      "out, or give "
+      "--all, for all of them");
   expect_refusal({"--figure", "3", "--all"}, "--all: given with --figure; give one of the two");
   EXPECT_FALSE(fs::exists("runs"));
 }

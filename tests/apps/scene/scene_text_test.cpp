@@ -47,6 +47,8 @@ app::Settings unusual_settings() {
   settings.scene.damage.seed = 1234567890123;
   settings.scene.damage.crack_closure = mpm::CrackClosure::unilateral;
   settings.scene.plane = mpm::Plane::stress;
+  settings.scene.local_damping = 0.1 / 3;
+  settings.automatic_damping = false;
   settings.scene.precision = mpm::Precision::single;
   settings.title = "quotes \" and \\ and\nlines";
   settings.phases[1].friction_angle = 0.9;

@@ -103,7 +103,7 @@ TEST_F(StudyRun, AMemberThatDivergesIsAFailure) {
       files_ / "scene.toml",
       "[specimen]\npicture = \"a.pgm\"\n[convert]\nmethod = \"labels\"\nlabel_phases = [\"0: void\", "
       "\"2: mortar\"]\npixel_size = \"1 mm\"\n[phases.mortar]\npoisson = 0.4999\ntensile_scale = "
-      "\"unbreakable\"\n[loading]\nvelocity = \"1 m/s\"\n");
+      "\"unbreakable\"\n[loading]\nvelocity = \"1 m/s\"\n[solver]\ncell = \"2 x 2\"\nlocal_damping = 0\n");
   test::write_text(files_ / "study.toml", "scene = \"scene.toml\"\n[vary]\n\"solver.cfl\" = [0.4, 1]\n");
   study_ = read_study(files_ / "study.toml");
   members_ = list_members(study_);
