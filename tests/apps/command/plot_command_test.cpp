@@ -72,7 +72,7 @@ TEST_F(PlotCommand, DrawsTheStressOfAFrame) {
     EXPECT_TRUE(all.insert(drawn({"--component", component})).second) << component;
   EXPECT_TRUE(all.insert(drawn({"--range", "-5:5 MPa"})).second);
   EXPECT_TRUE(all.insert(drawn({"--at", "10e-6"})).second);
-  EXPECT_THAT(out_.str() + err_.str(), HasSubstr("p_000002.hdf, at 10.3 microstrain"));
+  EXPECT_THAT(out_.str() + err_.str(), HasSubstr("p_000002.hdf, at 10.1 microstrain"));
 }
 
 TEST_F(PlotCommand, TellsWhatItDrewAsJsonAndIsQuiet) {
@@ -105,7 +105,7 @@ TEST_F(PlotCommand, RefusesWhatItCannotDraw) {
   };
   EXPECT_THAT(refusal({}, Exit::usage), HasSubstr("RUN: missing"));
   EXPECT_THAT(refusal({"run", "--at", "30e-6"}, Exit::data),
-              HasSubstr("--at: 30e-6; must be from 0 to 20.0 microstrain, where the run ended"));
+              HasSubstr("--at: 30e-6; must be from 0 to 20.2 microstrain, where the run ended"));
   EXPECT_THAT(refusal({"run", "--at", "-1e-6"}, Exit::data), HasSubstr("must be from 0"));
   EXPECT_THAT(refusal({"run", "--at", "soon"}, Exit::usage), HasSubstr("--at: soon"));
   EXPECT_THAT(refusal({"run", "--what", "strain"}, Exit::usage),

@@ -258,7 +258,7 @@ TEST_F(Program, SimulateCropsToWholeCellsAndKeepsTheNote) {
   ASSERT_EQ(run({"generate", "--width", "21 mm", "--height", "20 mm", "--pixel-size", "1 mm", "--fraction",
                  "0.2", "--d-min", "4 mm", "--d-max", "8 mm", "-o", "a.h5"}),
             Exit::ok);
-  ASSERT_EQ(run({"simulate", "a.h5", "--json"}), Exit::ok) << err_.str();
+  ASSERT_EQ(run({"simulate", "a.h5", "--cell", "2 x 2", "--json"}), Exit::ok) << err_.str();
   const std::string note =
       "the specimen was cropped from 21 x 20 to 20 x 20 pixels, at its top and right edges, to whole cells "
       "of 2 x 2 "
@@ -273,9 +273,26 @@ TEST_F(Program, SimulateKeepsWhatWasComputedBeforeItDiverged) {
   for (int row = 0; row < 12; ++row)
     picture += row % 4 == 2 ? "2 2 2 2 2 2 0 2 0 0 0 0\n" : "2 2 2 2 2 2 0 0 0 0 0 0\n";
   test::write_text("a.pgm", picture);
-  EXPECT_EQ(run({"simulate", "a.pgm", "--convert.method", "labels", "--convert.label-phases",
-                 "0:void,2:mortar", "--convert.pixel-size", "1 mm", "--cfl", "1", "--mortar.poisson",
-                 "0.4999", "--mortar.tensile-scale", "unbreakable", "-o", "b"}),
+  EXPECT_EQ(run({"simulate",
+                 "a.pgm",
+                 "--convert.method",
+                 "labels",
+                 "--convert.label-phases",
+                 "0:void,2:mortar",
+                 "--convert.pixel-size",
+                 "1 mm",
+                 "--cfl",
+                 "1",
+                 "--mortar.poisson",
+                 "0.4999",
+                 "--mortar.tensile-scale",
+                 "unbreakable",
+                 "--cell",
+                 "2 x 2",
+                 "--local-damping",
+                 "0",
+                 "-o",
+                 "b"}),
             Exit::data);
   EXPECT_THAT(err_.str(), HasSubstr("mesopix: simulate: "));
   EXPECT_THAT(err_.str(), HasSubstr("; what was computed is in b\n"));
