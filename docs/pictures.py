@@ -6,6 +6,7 @@
 Needs Debian's chromium-driver, python3-selenium, python3-pil, paraview, imagej and xvfb.
 """
 import io
+import json
 import os
 import pathlib
 import re
@@ -14,7 +15,7 @@ import sys
 import tempfile
 import time
 
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 from selenium import webdriver
 
 docs = pathlib.Path(__file__).resolve().parent
@@ -200,8 +201,54 @@ def segmentation(here):
     keep(row, "segmentation", 64)
 
 
+def stiffness(here):
+    """Young's modulus of generated specimens over their width, three each, and of a picture, between their bounds."""
+    def told(*inputs):
+        return json.loads(subprocess.run([str(mesopix), "stiffness", *map(str, inputs), "--cell", "pixel", "--json", "-q"], check=True,
+                                         capture_output=True).stdout)
+
+    names = {"uniform_stress": "#2166ac", "periodic": "#222222", "uniform_strain": "#b2182b"}
+    groups = []
+    for width in (20, 30, 50, 80, 120):
+        files = [here / f"{width}-{seed}.h5" for seed in (1, 2, 3)]
+        for seed, file in enumerate(files, 1):
+            run(mesopix, "generate", "--width", f"{width} mm", "--height", f"{width} mm", "--d-max", "12 mm", "--seed", seed, "-q",
+                "-o", file)
+        groups.append((f"{width} mm", told(*files)["specimens"]))
+    groups.append(("concrete.png", told(data / "concrete.png")["specimens"]))
+
+    lowest, highest, left, bottom, step = 23, 29, 90, 400, 110
+    scale = 2  # drawn large and made small, so that lines are smooth
+    image = Image.new("RGB", (scale * (left + step * len(groups) + 20), scale * (bottom + 80)), "white")
+    draw = ImageDraw.Draw(image)
+    font = ImageFont.truetype("DejaVuSans.ttf", scale * 14)
+
+    def place(x, gigapascal):
+        return scale * x, scale * (bottom - (gigapascal - lowest) / (highest - lowest) * (bottom - 40))
+
+    for tick in range(lowest, highest + 1):
+        draw.line([place(left, tick), place(left + step * len(groups), tick)], fill="#dddddd", width=scale)
+        draw.text(place(left - 10, tick), str(tick), fill="black", font=font, anchor="rm")
+    draw.text((scale * 10, scale * 8), "Young's modulus (GPa); band: Hashin-Shtrikman, lines: Reuss and Voigt", fill="black", font=font)
+    for i, (name, specimens) in enumerate(groups):
+        middle = left + step * (i + 0.5)
+        bounds = {key: sum(one["bounds"][key]["young_Pa"] for one in specimens) / len(specimens) / 1e9 for key in specimens[0]["bounds"]}
+        draw.rectangle([place(middle - 35, bounds["hashin_shtrikman_upper"]), place(middle + 35, bounds["hashin_shtrikman_lower"])],
+                       fill="#ececd8")
+        for key in ("reuss", "voigt"):
+            draw.line([place(middle - 35, bounds[key]), place(middle + 35, bounds[key])], fill="#888855", width=2 * scale)
+        for shift, (key, colour) in zip((-18, 0, 18), names.items()):
+            for one in specimens:
+                x, y = place(middle + shift, one[key]["young_Pa"] / 1e9)
+                draw.ellipse([x - 4 * scale, y - 4 * scale, x + 4 * scale, y + 4 * scale], fill=colour)
+        draw.text((scale * middle, scale * (bottom + 12)), name, fill="black", font=font, anchor="mt")
+    for i, (key, colour) in enumerate(names.items()):
+        draw.text((scale * (left + 170 * i), scale * (bottom + 45)), key.replace("_", " "), fill=colour, font=font)
+    keep(image.reduce(scale), "stiffness", 64)
+
+
 pictures = {one.__name__: one for one in (report, phone, live, comparison, study, damage, stress, paraview, imagej, tutorial_specimen,
-                                           tutorial_damage, segmentation)}
+                                           tutorial_damage, segmentation, stiffness)}
 wanted = sys.argv[2:] or list(pictures)
 for name in wanted:
     if name not in pictures:

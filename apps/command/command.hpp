@@ -116,6 +116,7 @@ class SettingsCommand : public Command {
 [[nodiscard]] CommandPointer study_command(CLI::App& program);      ///< a scene many times
 [[nodiscard]] CommandPointer calibrate_command(CLI::App& program);  ///< fit a scene to a peak or a curve
 [[nodiscard]] CommandPointer inspect_command(CLI::App& program);    ///< what is in a file
+[[nodiscard]] CommandPointer stiffness_command(CLI::App& program);  ///< effective moduli of specimens
 [[nodiscard]] CommandPointer report_command(CLI::App& program);     ///< several runs on one page
 [[nodiscard]] CommandPointer plot_command(CLI::App& program);       ///< pictures for papers and slides
 [[nodiscard]] CommandPointer export_command(CLI::App& program);     ///< formats of other programs

@@ -151,8 +151,9 @@ void SettingOptions::add_field(Options& options, const Group& group, const Field
 
 void SettingOptions::add_phase_help(Options& options, const Group& group) {
   for (const PhaseField& property : phase_fields())
-    add_text_option(options, "--PHASE." + with_dashes(property.key), property.help, property.form)
-        ->group(group.title + " (PHASE = aggregate, mortar, itz, or one of your own)");
+    if (offer_.has("phases." + property.key))
+      add_text_option(options, "--PHASE." + with_dashes(property.key), property.help, property.form)
+          ->group(group.title + " (PHASE = aggregate, mortar, itz, or one of your own)");
 }
 
 std::vector<std::string> SettingOptions::take_phase_options(const std::vector<std::string>& arguments) {

@@ -49,6 +49,7 @@ class Program {
     add(study_command(root_));
     add(calibrate_command(root_));
     heading_ = "Look at what came of it";
+    add(stiffness_command(root_));
     add(inspect_command(root_));
     add(report_command(root_));
     add(plot_command(root_));

@@ -222,4 +222,20 @@ mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& setti
   return scene;
 }
 
+mpm::Scene build_elastic_scene(const specimen::Specimen& specimen, const Settings& settings) {
+  if (!itz_points(specimen).empty())
+    throw Rejected(Exit::data, "itz.mode", "points", "the stiffness of a specimen needs the ITZ as pixels",
+                   "choose itz.mode ring");
+  mpm::Scene scene;
+  scene.labels = lattice_of(specimen.mask.labels);
+  scene.pixel_size = specimen.mask.pixel_size;
+  scene.phases = phases_of(specimen, settings);
+  scene.plane = settings.scene.plane;
+  scene.points_per_cell = settings.scene.points_per_cell;
+  scene.pixel_cells = settings.scene.pixel_cells;
+  scene.instruction_set = settings.scene.instruction_set;
+  mpm::validate(scene);
+  return scene;
+}
+
 }  // namespace app

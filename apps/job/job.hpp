@@ -51,4 +51,9 @@ struct Job {
 /// edge at a platen that is void throughout.
 [[nodiscard]] mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& settings);
 
+/// The same without a test to put it to: what the stiffness of a specimen of whole cells depends on, and no
+/// more. Its edges may be void.
+/// @throws Rejected as build_scene(), and for an ITZ of points, which are no pixels; mpm::Error.
+[[nodiscard]] mpm::Scene build_elastic_scene(const specimen::Specimen& specimen, const Settings& settings);
+
 }  // namespace app

@@ -14,6 +14,7 @@ const app::Offer& offer_named(const std::string& function) {
   if (function == "twin") return app::offer_of_twin();
   if (function == "simulate" || function == "study") return app::offer_of_simulate();
   if (function == "calibrate") return app::offer_of_calibrate();
+  if (function == "stiffness") return app::offer_of_stiffness();
   throw pybind11::value_error(function + " takes no settings");
 }
 
@@ -32,6 +33,7 @@ PYBIND11_MODULE(_core, module) {
   binding::bind_fit(module);
   binding::bind_study(module);
   binding::bind_twins(module);
+  binding::bind_stiffness(module);
   module.def("described",
              [](const std::string& function) { return binding::described(offer_named(function)); });
 }

@@ -154,7 +154,8 @@ py::list described(const app::Offer& offer) {
     if (!offer.is_own(group.name)) continue;
     if (group.name == "phases")
       for (const app::PhaseField& property : app::phase_fields())
-        rows.append(row("PHASE." + property.key, "phases.PHASE." + property.key, property, mortar));
+        if (offer.has("phases." + property.key))
+          rows.append(row("PHASE." + property.key, "phases.PHASE." + property.key, property, mortar));
     for (const app::Field& field : app::fields_of(group.name))
       if (offer.has(field.key))
         rows.append(row(app::with_underscores(app::short_option(group, field)), field.key, field, defaults));

@@ -41,6 +41,9 @@ void bind_study(py::module_& module);
 /// twin and the class Twins.
 void bind_twins(py::module_& module);
 
+/// stiffness.
+void bind_stiffness(py::module_& module);
+
 /// calibrate and the class Calibration.
 void bind_fit(py::module_& module);
 

@@ -78,6 +78,16 @@ const Offer& offer_of_calibrate() {
   return offer;
 }
 
+const Offer& offer_of_stiffness() {
+  static const Offer offer{
+      {"phases", "solver"},
+      {"specimen", "generate", "convert", "itz"},
+      {"solver.method", "solver.event_tolerance", "solver.kinematics", "solver.cfl", "solver.local_damping",
+       "solver.precision", "solver.threads", "phases.tensile_scale", "phases.cohesion",
+       "phases.friction_angle", "phases.weibull_modulus", "phases.fracture_energy"}};
+  return offer;
+}
+
 std::string with_dashes(std::string text) {
   std::replace(text.begin(), text.end(), '_', '-');
   return text;

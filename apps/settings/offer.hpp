@@ -22,6 +22,7 @@ struct Offer {
 [[nodiscard]] const Offer& offer_of_twin();
 [[nodiscard]] const Offer& offer_of_simulate();
 [[nodiscard]] const Offer& offer_of_calibrate();
+[[nodiscard]] const Offer& offer_of_stiffness();
 
 /// "velocity" or "itz-mode": the short name of a setting, without dashes before it.
 [[nodiscard]] std::string short_option(const Group& group, const Field& field);

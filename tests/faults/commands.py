@@ -40,6 +40,7 @@ COMMANDS = {
                          " -o fitted", ("fitted",), True),
     "study": Command("study study.toml -o members --jobs 1", ("members",)),
     "scene init": Command("scene init begun.toml --schema begun.json", ("begun.json", "begun.toml")),
+    "stiffness": Command("stiffness specimen.h5 -o stiffness.json", ("stiffness.json",)),
     "twin": Command("twin specimen.h5 -n 2 -o twins", ("twins",)),
     "report": Command("report first second -o both.html", ("both.html",)),
     "plot damage": Command("plot first -o damage.pdf", ("damage.pdf",)),

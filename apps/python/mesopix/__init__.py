@@ -28,7 +28,7 @@ from .results import Curve
 __all__ = [
     "Calibration", "Complaint", "Curve", "Diverged", "Error", "FileError", "Interrupted", "Progress", "Result", "Specimen",
     "Study", "StudyProgress", "Trial", "TwinProgress", "Twins", "calibrate", "convert", "generate", "read_result",
-    "read_specimen", "simulate", "study", "twin",
+    "read_specimen", "simulate", "stiffness", "study", "twin",
 ]
 __version__: str = _core.version
 
@@ -256,6 +256,24 @@ def twin(
     return _core.twin(original, dict(settings or {}), options, wanted, output, overwrite, progress)
 
 
+def stiffness(
+    specimen: Union[Specimen, Path], settings: Optional[Settings] = None, /, **options: Value
+) -> "dict[str, Any]":
+    """Effective elastic moduli of a specimen: nothing moves, nothing breaks.
+
+    specimen: a Specimen, or the path of a specimen.h5, a picture or a scene.toml.
+    settings: by their keys, {"mortar.young": "25 GPa"}.
+    options: settings by their short names, see below.
+
+    The figures are those of mesopix stiffness --json: "uniform_stress", "periodic" and "uniform_strain" each have the tensor
+    "stiffness_Pa" (xx, yy, xy) and its nearest isotropic "young_Pa" and "poisson"; "bounds" has those of the mixture.
+    Raises Error for what has no stiffness, FileError for a file that cannot be read.
+
+        young = mesopix.stiffness(specimen, plane="stress")["periodic"]["young_Pa"]
+    """
+    return _core.stiffness(specimen, dict(settings or {}), options)
+
+
 def read_specimen(path: Path, /) -> Specimen:
     """Read a specimen.h5. Raises Error for what is none, FileError when it cannot be read."""
     return _core.read_specimen(path)
@@ -281,6 +299,6 @@ def _append_settings(function: Callable[..., Any]) -> None:
     function.__doc__ = str(function.__doc__).rstrip() + "\n" + indented
 
 
-_functions: Sequence[Callable[..., Any]] = (generate, convert, twin, simulate, study, calibrate)
+_functions: Sequence[Callable[..., Any]] = (generate, convert, twin, simulate, study, calibrate, stiffness)
 for _function in _functions:
     _append_settings(_function)

@@ -37,13 +37,13 @@ TEST_F(Program, TellsItsVersion) {
 
 TEST_F(Program, HelpNamesEveryCommandWithAnExample) {
   EXPECT_EQ(run({"--help"}), Exit::ok);
-  for (const char* command : {"generate", "convert", "scene", "simulate", "calibrate", "inspect", "report",
-                              "plot", "export", "doctor"})
+  for (const char* command : {"generate", "convert", "scene", "simulate", "calibrate", "stiffness", "inspect",
+                              "report", "plot", "export", "doctor"})
     EXPECT_THAT(out_.str(), HasSubstr(command));
   EXPECT_LT(out_.str().find("generate"), out_.str().find("simulate"));
   EXPECT_LT(out_.str().find("simulate"), out_.str().find("inspect"));
-  for (const std::string command : {"generate", "convert", "scene", "simulate", "calibrate", "inspect",
-                                    "report", "plot", "export", "doctor"}) {
+  for (const std::string command : {"generate", "convert", "scene", "simulate", "calibrate", "stiffness",
+                                    "inspect", "report", "plot", "export", "doctor"}) {
     EXPECT_EQ(run({command, "--help"}), Exit::ok);
     EXPECT_THAT(out_.str(), HasSubstr("Usage: mesopix " + command));
     EXPECT_THAT(out_.str(), HasSubstr("Example"));
@@ -60,13 +60,14 @@ TEST_F(Program, RefusesWhatItDoesNotKnow) {
   expect_refusal(
       {"simulte"}, Exit::usage,
       "simulte: unknown command; must be generate, convert, twin, scene, simulate, study, calibrate, "
-      "inspect, report, plot, export, doctor or help; did you mean simulate?");
+      "stiffness, inspect, report, plot, export, doctor or help; did you mean simulate?");
   expect_refusal(
       {"bench"}, Exit::usage,
       "bench: is not in this build; ./quickstart all builds it, or cmake with -DMESOPIX_EVIDENCE=ON");
-  expect_refusal({"--json"}, Exit::usage,
-                 "--json: is no command; must be generate, convert, twin, scene, simulate, study, calibrate, "
-                 "inspect, report, plot, export, doctor or help; mesopix --help tells what they do");
+  expect_refusal(
+      {"--json"}, Exit::usage,
+      "--json: is no command; must be generate, convert, twin, scene, simulate, study, calibrate, "
+      "stiffness, inspect, report, plot, export, doctor or help; mesopix --help tells what they do");
   expect_refusal({"generate", "--widht", "3 mm"}, Exit::usage,
                  "--widht: unknown option; did you mean --width?; mesopix generate --help lists them");
   expect_refusal({"generate", "--width"}, Exit::usage,
