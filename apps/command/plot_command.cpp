@@ -82,7 +82,7 @@ double strain_at(const std::string& text, const mpm::Result& result) {
 
 /// Strains beyond the end of the run, or before its beginning, have no picture.
 void check_reached(const std::string& text, double strain, const mpm::Result& result) {
-  const double end = result.history.empty() ? 0 : result.history.back().strain;
+  const double end = output::largest_strain(result);
   // A run ends where its last row is; what the reader typed for that has fewer digits.
   if (strain >= 0 && strain <= end * (1 + 1e-6)) return;
   const output::StrainUnit unit = output::strain_unit(result);

@@ -79,7 +79,7 @@ constexpr int places = 200;
 template <class Stress>
 Series sampled(const RunRecord& record, const std::string& name, Ink ink, Stress&& stress) {
   const double per_strain = strain_unit(record.result).per_strain;
-  const double end = record.result.history.back().strain;
+  const double end = largest_strain(record.result);
   Series series{name, {}, {}, ink, true};
   for (int i = 0; i <= places; ++i) {
     const double strain = end * i / places;

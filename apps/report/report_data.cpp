@@ -170,7 +170,7 @@ void add_strengths(const RunRecord& record, Json& film) {
 
 bool has_film(const RunRecord& record) {
   return pixels_of(record) <= most_film_pixels && record.result.failure_strain.size() == pixels_of(record) &&
-         !record.result.history.empty() && record.result.history.back().strain > 0;
+         largest_strain(record.result) > 0;
 }
 
 Json film_data(const RunRecord& record) {
@@ -191,7 +191,7 @@ Json film_data(const RunRecord& record) {
 
 Json film_growth(const RunRecord& record) {
   const mpm::Result& result = record.result;
-  return {{"end_strain", result.history.back().strain},
+  return {{"end_strain", largest_strain(result)},
           {"failure", packed(result.failure_strain)},
           {"mode", packed(result.failure_mode)},
           {"crush", result.crush_strain.size() > 0 ? packed(result.crush_strain) : Json(nullptr)}};

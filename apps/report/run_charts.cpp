@@ -69,11 +69,13 @@ FailureStrains failure_strains(const RunRecord& record) {
 /// How many of the strains, which rise, are reached at each row of the history.
 Series so_far(const RunRecord& record, const std::string& name, Ink ink, const std::vector<double>& strains,
               bool dashed = false) {
+  double farthest = 0;  // where the platens have gone back, the maps hold the largest strain until then
   return against_strain(
       record, name, ink,
       [&](const HistoryRow& row) {
+        farthest = std::max(farthest, row.strain);
         // The maps hold strains in 32 bits.
-        const auto reached = static_cast<double>(static_cast<float>(row.strain));
+        const auto reached = static_cast<double>(static_cast<float>(farthest));
         return static_cast<double>(std::upper_bound(strains.begin(), strains.end(), reached) -
                                    strains.begin());
       },
@@ -148,7 +150,7 @@ Chart failure_strain_chart(const RunRecord& record) {
   constexpr int classes = 60;
   const StrainUnit unit = strain_unit(record.result);
   Chart chart{"Strain at failure", strain_axis(record), {"Pixels that failed", ""}, {}, {}};
-  const double end = record.result.history.empty() ? 0 : record.result.history.back().strain;
+  const double end = largest_strain(record.result);
   if (!(end > 0)) return chart;
   const FailureStrains strains = failure_strains(record);
   const auto add = [&](const std::string& name, Ink ink, auto mode) {

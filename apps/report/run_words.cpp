@@ -40,6 +40,10 @@ std::string word_of(mpm::SolverMethod method) {
   return method == mpm::SolverMethod::quasi_static ? "quasi_static" : "explicit";
 }
 
+std::string word_of(mpm::LoadingPath path) {
+  return path == mpm::LoadingPath::snap_back ? "snap_back" : "strain";
+}
+
 std::string word_of(mpm::StopReason reason) {
   using enum mpm::StopReason;
   return app::word_in({{strain, "strain"}, {time, "time"}, {drop, "drop"}, {interrupted, "interrupted"}},
@@ -90,7 +94,8 @@ std::string name_of_loading(const mpm::Scene& scene) {
 std::string setting_of_loading(const mpm::Scene& scene) {
   const mpm::Loading& loading = scene.loading;
   if (scene.method == mpm::SolverMethod::quasi_static)
-    return fmt::format("quasi-static {}, {} platens", name_of_loading(scene), word_of(loading.platen));
+    return fmt::format("quasi-static {}, {} platens{}", name_of_loading(scene), word_of(loading.platen),
+                       loading.path == mpm::LoadingPath::snap_back ? " that may go back" : "");
   if (has_platens(scene))
     return fmt::format("{} at {} m/s, {} platens{}", name_of_loading(scene), concise(loading.velocity),
                        word_of(loading.platen), loading.separation ? " with separation" : "");

@@ -16,8 +16,9 @@ namespace output {
 [[nodiscard]] std::string word_of(mpm::CrackClosure law);     ///< "unilateral"
 [[nodiscard]] std::string word_of(mpm::SolverMethod method);
 [[nodiscard]] std::string word_of(mpm::Kinematics kinematics);  ///< "moving"
-[[nodiscard]] std::string word_of(mpm::StopReason reason);      ///< "drop"
-[[nodiscard]] std::string phrase_of(mpm::StopReason reason);    ///< "its duration was over"
+[[nodiscard]] std::string word_of(mpm::LoadingPath path);
+[[nodiscard]] std::string word_of(mpm::StopReason reason);    ///< "drop"
+[[nodiscard]] std::string phrase_of(mpm::StopReason reason);  ///< "its duration was over"
 
 [[nodiscard]] bool has_platens(const mpm::Scene& scene);
 

@@ -66,7 +66,10 @@ json loading_of(const mpm::Scene& scene) {
   json all{{"direction", output::word_of(loading.direction)},
            {"platen", output::word_of(loading.platen)},
            {"separation", loading.separation}};
-  if (scene.method == mpm::SolverMethod::explicit_) all["velocity_m_per_s"] = loading.velocity;
+  if (scene.method == mpm::SolverMethod::explicit_)
+    all["velocity_m_per_s"] = loading.velocity;
+  else
+    all["path"] = output::word_of(loading.path);
   return all;
 }
 

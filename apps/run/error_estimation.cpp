@@ -224,6 +224,7 @@ std::optional<mpm::Scene> at_equilibrium(const mpm::Scene& scene, double peak_st
   mpm::Scene still = scene;
   still.method = mpm::SolverMethod::quasi_static;
   still.event_tolerance = 0.01;
+  still.loading.path = mpm::LoadingPath::strain;
   still.loading.stop_drop = 0.8;
   still.loading.stop_strain = std::max(scene.loading.stop_strain, 3 * peak_strain);
   if (!mpm::faults(still).empty() || mpm::count_points(still) > most_points) return std::nullopt;

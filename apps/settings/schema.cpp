@@ -148,7 +148,7 @@ std::string why_unused_by_method(std::string_view key, const mpm::Scene& scene) 
   if (still && is_one_of(key, {"loading.velocity", "loading.ramp_time", "solver.cfl", "solver.local_damping",
                                "solver.precision", "solver.threads", "output.history_rows"}))
     return "has no effect with solver.method = \"quasi_static\"";
-  if (!still && key == "solver.event_tolerance")
+  if (!still && is_one_of(key, {"solver.event_tolerance", "loading.path"}))
     return "has an effect with solver.method = \"quasi_static\" only";
   return {};
 }

@@ -156,6 +156,8 @@ std::vector<Field> loading_fields() {
   const ChoiceCodec<Direction> direction{
       {{"tension", Direction::tension}, {"compression", Direction::compression}, {"none", Direction::none}}};
   const ChoiceCodec<Platen> platen{{{"smooth", Platen::smooth}, {"rough", Platen::rough}}};
+  const ChoiceCodec<mpm::LoadingPath> path{
+      {{"strain", mpm::LoadingPath::strain}, {"snap_back", mpm::LoadingPath::snap_back}}};
   return {
       field("loading.direction", direction, "way of the top platen; none = no platens, the specimen flies",
             MEMBER(scene.loading.direction)),
@@ -168,6 +170,10 @@ std::vector<Field> loading_fields() {
             MEMBER(scene.loading.platen)),
       field("loading.separation", BooleanCodec{}, "let the specimen part from the platens that press it",
             MEMBER(scene.loading.separation)),
+      field(
+          "loading.path", path,
+          "quasi_static: strain = platens never go back; snap_back = back to the strain of the next failure",
+          MEMBER(scene.loading.path)),
       field("loading.stop_strain", ratio(inside(0, 1)), "strain at which the run ends",
             MEMBER(scene.loading.stop_strain)),
       field("loading.stop_drop", OptionalQuantityCodec{ratio(inside(0, 1)), "none"},

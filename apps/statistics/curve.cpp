@@ -9,6 +9,7 @@ namespace app {
 Curve stress_curve(const mpm::Result& result) {
   Curve curve;
   for (const mpm::HistoryRow& row : result.history) {
+    if (!curve.empty() && row.strain < curve.strain.back()) continue;
     curve.strain.push_back(row.strain);
     curve.stress.push_back(row.stress);
   }
@@ -81,9 +82,11 @@ std::size_t peak_row(const mpm::Result& result) {
 }
 
 double drop_ratio(const mpm::Result& result, double share) {
-  for (std::size_t row = peak_row(result); row < result.history.size(); ++row)
-    if (result.history[row].stress < share * result.peak_stress)
-      return result.history[row].strain / result.peak_strain;
+  double farthest = 0;
+  for (std::size_t row = peak_row(result); row < result.history.size(); ++row) {
+    farthest = std::max(farthest, result.history[row].strain);
+    if (result.history[row].stress < share * result.peak_stress) return farthest / result.peak_strain;
+  }
   return no_number;
 }
 

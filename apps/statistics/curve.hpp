@@ -26,7 +26,7 @@ struct Curve {
   }
 };
 
-/// Of a run.
+/// Of a run. A path that snaps back is seen as by platens that never go back.
 [[nodiscard]] Curve stress_curve(const mpm::Result& result);
 
 /// Both over their values at the peak [-].   @pre the run has a peak.

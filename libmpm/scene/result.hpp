@@ -52,7 +52,7 @@ struct Result {
   double peak_stress = 0;           ///< largest stress of the history [Pa]
   double peak_strain = 0;           ///< platen strain at the peak [-]
   /// Platen strain at which the point of a pixel failed [-]; NaN = it did not fail. With failure_mode it
-  /// gives the damage at any strain.
+  /// gives the damage at any strain. On a path that snaps back it is the largest strain until then.
   PixelField<float> failure_strain;
   PixelField<std::uint8_t> failure_mode;  ///< FailureMode of the point of a pixel
   /// With crack closure: platen strain at which a cracked point was crushed in shear [-]; otherwise empty.

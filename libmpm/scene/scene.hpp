@@ -20,6 +20,12 @@ enum class Direction {
 /// How a platen holds the specimen sideways: smooth = free (one node fixed), rough = no sideways motion.
 enum class Platen { smooth, rough };
 
+/// Which states a quasi-static run goes through.
+enum class LoadingPath {
+  strain,     ///< the platens never go back; the stress drops while they stand still
+  snap_back,  ///< the platens move on or back to the strain at which the next point fails
+};
+
 /// Floating-point precision of the solver.
 enum class Precision {
   single,   ///< stresses in 32 bits, motion of the nodes in 64 bits
@@ -75,7 +81,8 @@ struct Loading {
   double velocity = 0.05;  ///< speed of the top platen [m/s], > 0
   double ramp_time = -1;   ///< time from rest to full velocity [s]; < 0 = two transits of the slowest wave
   Platen platen = Platen::smooth;
-  double stop_strain = 4e-4;        ///< platen displacement over height at which the run ends [-], > 0
+  LoadingPath path = LoadingPath::strain;  ///< quasi-static
+  double stop_strain = 4e-4;               ///< platen displacement over height at which the run ends [-], > 0
   std::optional<double> stop_drop;  ///< the run ends below this share of the peak stress [-], in (0, 1)
   bool separation = false;          ///< the specimen may separate from the platens; needs moving points
 

@@ -10,6 +10,18 @@ function rising(places) {
   return places.map((x) => (last = x > last ? x : last + 1e-9 * Math.max(Math.abs(last), 1e-9)));
 }
 
+/** Whether a curve goes back, as one that snaps back does. */
+function turns(places) {
+  return places.some((x, i) => x < places[i - 1]);
+}
+
+/** The line through the places of a curve that goes back, which uPlot cannot draw by itself. */
+function path_of(plot, { x, y }) {
+  const stroke = new Path2D();
+  x.forEach((_, i) => stroke.lineTo(plot.valToPos(x[i], "x", true), plot.valToPos(y[i], "y", true)));
+  return { stroke };
+}
+
 /** Columns with one common x, as uPlot wants them. */
 function aligned(series) {
   const all = series.map((one) => rising(one.x));
@@ -78,6 +90,7 @@ class LiveChart {
 
   build() {
     if (this.plot) this.plot.destroy();
+    const straight = uPlot.paths.linear();
     const font = (size) => `${size}px system-ui, sans-serif`;
     const text = { stroke: ink("text"), font: font(13), labelFont: font(this.place.clientWidth < 500 ? 11 : 13) };
     const axis = (from) => ({
@@ -93,6 +106,7 @@ class LiveChart {
         width: 2,
         dash: one.dashed ? [7, 4] : undefined,
         points: { show: false },
+        paths: (plot, k, from, to) => (turns(this.all[k - 1].x) ? path_of(plot, this.all[k - 1]) : straight(plot, k, from, to)),
         show: i < this.chart.series.length || this.shown.has(i),
         value: (_, y) => rounded(y),
       }))],

@@ -122,6 +122,17 @@ double Equilibrium::largest_utilisation(int row, int plane, const Resistance& re
                             .crush_share = resistance.crush_share});
 }
 
+void Equilibrium::part(const Pieces& pieces) {
+  for (int row = 0; row <= plan_.cells_y; ++row)
+    for (int col = 0; col <= plan_.cells_x; ++col) {
+      const std::size_t node = shape().node(row, col);
+      if (!pieces.is_above(row, col) && !pieces.is_below(row, col)) continue;
+      u_.x[node] = 0;
+      u_.y[node] = pieces.is_above(row, col) ? scene_.height() : 0;
+    }
+  modulus_top_ = modulus_bottom_ = 0;
+}
+
 CellDisplacement Equilibrium::displacement(int row, int cell) const {
   const std::size_t lower = shape().node(row, cell);
   const std::size_t upper = shape().node(row + 1, cell);

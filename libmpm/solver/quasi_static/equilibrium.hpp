@@ -11,6 +11,7 @@
 #include "libmpm/solver/quasi_static/conjugate_gradients.hpp"
 #include "libmpm/solver/quasi_static/lattice_cells.hpp"
 #include "libmpm/solver/quasi_static/multigrid.hpp"
+#include "libmpm/solver/quasi_static/pieces.hpp"
 
 namespace mpm {
 
@@ -41,6 +42,9 @@ class Equilibrium final : private LatticeCells {
     double kept = 0;                   ///< share of its stiffness that remains [-]
   };
   void change(const std::vector<Change>& changes);
+
+  /// Moves the parts of a specimen that no longer join the platens with their platens, free of stress.
+  void part(const Pieces& pieces);
 
   /// Takes over what points() held in another run of the same scene.
   /// @return false for a stiffness that is none, or more than that of an intact point.

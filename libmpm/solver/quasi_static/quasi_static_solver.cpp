@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "libmpm/material/failure.hpp"
+
 namespace mpm {
 namespace {
 
@@ -161,11 +163,14 @@ double QuasiStaticSolver::energy() const {
 void QuasiStaticSolver::add_work(double strain) {
   const double before = energy();
   strain_ = strain;
+  farthest_ = std::max(farthest_, strain);
   tally_.platen_work += energy() - before;
 }
 
-/// Only the first failure of a point counts.
+/// Only the first failure of a point counts. Where the platens went back, the order of the failures is that
+/// of the largest strains until then.
 void QuasiStaticSolver::record(const Place& at, FailureMode mode, double strain) {
+  strain = std::max(strain, farthest_);
   const Pixel pixel = equilibrium_.pixel(at.row, at.plane, at.cell);
   if (maps_.failure_mode(pixel.row, pixel.col) != 0) return;
   ++(mode == FailureMode::shear ? tally_.shear_failures : tally_.tension_failures);
@@ -208,25 +213,82 @@ void QuasiStaticSolver::fail_points(double strain, double up_to) {
     if (onset.strain > up_to) return;
     const bool softens = onset.mode == FailureMode::tension &&
                          scene_.phases[*equilibrium_.label(at.row, at.plane, at.cell)]->softens();
+    const double before = kept_at(at);
     const double kept =
         softens ? soften(at, index, std::max(strain, onset.strain)) : fail(at, index, onset.mode, strain);
+    if (snaps_back()) spent_ += (before - kept) * energy_of(at);
     changes.push_back({at.row, at.plane, at.cell, kept});
   });
   equilibrium_.change(changes);
 }
 
+/// Elastic energy of an intact point under the strain that it has now [J/m].
+double QuasiStaticSolver::energy_of(const Place& at) const {
+  const std::uint8_t label = *equilibrium_.label(at.row, at.plane, at.cell);
+  const Stress<double> s = elastic_at(limits_[label], at, strain_);
+  double density = 0.5 * stress_power(*scene_.phases[label], scene_.plane, s, s);
+  if (scene_.pixel_cells) {
+    const CellDisplacement u = equilibrium_.displacement(at.row, at.cell);
+    const double x = strain_ * bending(u.ux, plan_.cell_size);
+    const double y = strain_ * bending(u.uy, plan_.cell_size);
+    density += 0.5 * bending_stiffness(limits_[label].stiffness) * (x * x + y * y);
+  }
+  return density * scene_.pixel_size * scene_.pixel_size;
+}
+
+/// While points failed.
+/// @param before  elastic energy before that, at the same strain [J/m].
+void QuasiStaticSolver::take_work(double before) {
+  const double lost = before - energy();
+  if (!snaps_back()) {  // the platens stand still
+    tally_.released += lost;
+    return;
+  }
+  // The platens give way so that the points lose their stiffness at the strain at which they fail.
+  const double spent = std::min(spent_, lost);
+  tally_.released += spent;
+  tally_.platen_work += spent - lost;
+  spent_ = 0;
+}
+
+/// To the next state, or to the end. Where the platens may go back, the drop of the stress ends in a state of
+/// its own, unless another point fails before.
+/// @param before  elastic energy before the last failures, at the same strain [J/m].
+void QuasiStaticSolver::move_platens(double before) {
+  const double lost = before - energy();
+  const double drop = snaps_back() && lost > 0 ? strain_ * std::min(spent_ / lost, 1.0) : strain_;
+  take_work(before);
+  has_dropped_ = drop < strain_ && drop < next_;
+  if (has_dropped_) return add_work(drop);
+  move_on();
+}
+
+/// To the strain of the next failure, or to the end.
+void QuasiStaticSolver::move_on() {
+  done_ = !(next_ <= scene_.loading.stop_strain);
+  if (done_) return add_work(scene_.loading.stop_strain);
+  add_work(snaps_back() ? next_ : std::max(strain_, next_));
+}
+
 /// From the state of the last failures to that at the next one.
 void QuasiStaticSolver::step() {
   const bool first = steps_ == 0;
-  if (!first) fail_points(strain_, std::max(next_, strain_) * (1 + scene_.event_tolerance));
-  const double before = energy();
-  lost_ = !equilibrium_.solve(first ? 0 : reduction);
-  modulus_ = equilibrium_.modulus();
-  tally_.released += before - energy();
-  find_onsets();
-  done_ = !(next_ <= scene_.loading.stop_strain);
-  add_work(done_ ? scene_.loading.stop_strain : std::max(strain_, next_));
   ++steps_;
+  if (has_dropped_) {
+    has_dropped_ = false;
+    return move_on();
+  }
+  if (first)
+    take_out_loose();
+  else
+    fail_points(strain_, (snaps_back() ? next_ : std::max(next_, strain_)) * (1 + scene_.event_tolerance));
+  const double before = energy();
+  const std::int64_t iterations = equilibrium_.iterations();
+  lost_ = !parted_ && !equilibrium_.solve(first ? 0 : reduction);
+  if (!first && may_be_loose(equilibrium_.iterations() - iterations)) take_out_loose();
+  modulus_ = equilibrium_.modulus();
+  find_onsets();
+  move_platens(before);
 }
 
 Ledger QuasiStaticSolver::advance(std::int64_t steps) {
@@ -249,47 +311,50 @@ Ledger QuasiStaticSolver::ledger() const {
   return ledger;
 }
 
+FramePoint QuasiStaticSolver::frame_point(const Pixel& pixel, std::uint8_t label) const {
+  const int k = scene_.points_per_cell;
+  const int from_below = static_cast<int>(scene_.labels.rows()) - 1 - pixel.row;
+  const Place at{from_below / k, from_below % k * k + pixel.col % k, pixel.col / k};
+  const double xi = (pixel.col % k + 0.5) / k;
+  const double eta = (from_below % k + 0.5) / k;
+  const CellDisplacement u = equilibrium_.displacement(at.row, at.cell);
+  const auto moved = [&](const double(&v)[4]) {
+    return sign_ * strain_ *
+           ((1 - eta) * ((1 - xi) * v[0] + xi * v[1]) + eta * ((1 - xi) * v[2] + xi * v[3]));
+  };
+  const double share = equilibrium_.kept(at.row, at.plane, at.cell);
+  const bool failed =
+      !is_live(share) && maps_.failure_mode.size() > 0 && maps_.failure_mode(pixel.row, pixel.col) != 0;
+  const double carried = is_live(share) ? share : failed ? scene_.damage.residual_stiffness : 0;
+  const double kept = failed ? scene_.damage.residual_stiffness : is_live(share) ? share : 1;
+  const Stress<double> s = elastic_at(limits_[label], at, strain_);
+  return completed({.id = static_cast<std::uint32_t>(pixel.row * scene_.labels.cols() + pixel.col),
+                    .x = (pixel.col + 0.5) * scene_.pixel_size + moved(u.ux),
+                    .y = (from_below + 0.5) * scene_.pixel_size + moved(u.uy)},
+                   {carried * s.xx, carried * s.yy, carried * s.xy, kept, 0}, scene_);
+}
+
 void QuasiStaticSolver::fill(Frame& frame) const {
   frame.step = steps_;
   frame.time = 0;
   frame.strain = strain_;
   frame.points.clear();
-  const LatticePoints<double>& points = equilibrium_.points();
-  const int k = scene_.points_per_cell;
-  const int rows = static_cast<int>(scene_.labels.rows());
-  const int cols = static_cast<int>(scene_.labels.cols());
-  for (int row = 0; row < rows; ++row)
-    for (int col = 0; col < cols; ++col) {
-      const std::uint8_t label = scene_.labels(row, col);
-      if (!scene_.phases[label]) continue;
-      const int from_below = rows - 1 - row;
-      const Place at{from_below / k, from_below % k * k + col % k, col / k};
-      const double xi = (col % k + 0.5) / k;
-      const double eta = (from_below % k + 0.5) / k;
-      const CellDisplacement u = equilibrium_.displacement(at.row, at.cell);
-      const auto moved = [&](const double(&v)[4]) {
-        return sign_ * strain_ *
-               ((1 - eta) * ((1 - xi) * v[0] + xi * v[1]) + eta * ((1 - xi) * v[2] + xi * v[3]));
-      };
-      const bool failed =
-          scene_.phases[label]->can_fail() && factors_[points.at(at.row, at.plane, at.cell)] <= 0;
-      const double kept = failed ? scene_.damage.residual_stiffness : kept_at(at);
-      const Stress<double> s = elastic_at(limits_[label], at, strain_);
-      frame.points.push_back(completed({.id = static_cast<std::uint32_t>(row * cols + col),
-                                        .x = (col + 0.5) * scene_.pixel_size + moved(u.ux),
-                                        .y = (from_below + 0.5) * scene_.pixel_size + moved(u.uy)},
-                                       {kept * s.xx, kept * s.yy, kept * s.xy, kept, 0}, scene_));
-    }
+  for (int row = 0; row < scene_.labels.rows(); ++row)
+    for (int col = 0; col < scene_.labels.cols(); ++col)
+      if (const std::uint8_t label = scene_.labels(row, col); scene_.phases[label])
+        frame.points.push_back(frame_point({row, col}, label));
 }
 
 template <class Archive, class Self>
 void QuasiStaticSolver::pass(Archive& archive, Self& self) {
   archive.whole(self.steps_, 1, std::int64_t{1} << 62);
   archive.finite(self.strain_);
+  archive.finite(self.farthest_);
   archive.finite(self.modulus_);
   archive.finite(self.tally_.platen_work);
   archive.finite(self.tally_.released);
   archive.flag(self.done_);
+  archive.flag(self.has_dropped_);
   archive.block(self.factors_);
   archive.block(self.strengths_);
   archive.raw(&self.next_, 1);
@@ -312,13 +377,8 @@ void QuasiStaticSolver::restore(ArchiveReader& archive) {
   archive.block(stiffness);
   archive.block(shear);
   if (!archive.ok()) return;
-  std::int64_t gone = 0;
-  for (std::size_t at = 0; at < intact.size(); ++at) {
-    if (factors_[at] == intact[at]) continue;
-    if (factors_[at] != 0) return archive.fail("a point of another strength");
-    ++gone;
-  }
-  if (scene_.damage.residual_stiffness <= 0) carrying_ -= gone;
+  for (std::size_t at = 0; at < intact.size(); ++at)
+    if (factors_[at] != intact[at] && factors_[at] != 0) return archive.fail("a point of another strength");
   for (const std::uint8_t mode : maps_.failure_mode.reshaped()) {
     tally_.tension_failures += mode == static_cast<std::uint8_t>(FailureMode::tension) ? 1 : 0;
     tally_.shear_failures += mode == static_cast<std::uint8_t>(FailureMode::shear) ? 1 : 0;
@@ -326,6 +386,10 @@ void QuasiStaticSolver::restore(ArchiveReader& archive) {
   if (!equilibrium_.restore(stiffness, shear)) return archive.fail("points of an impossible stiffness");
   each_point([&](const Place& at, std::size_t index) {
     if (intact[index] > 0) set_resistance(at, index);
+  });
+  carrying_ = 0;
+  each_point([&](const Place& at, std::size_t) {
+    if (is_live(equilibrium_.kept(at.row, at.plane, at.cell))) ++carrying_;
   });
   find_onsets();
 }

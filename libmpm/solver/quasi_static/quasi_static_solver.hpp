@@ -2,8 +2,8 @@
 ///
 /// Between two failures everything is linear. At a platen strain of 1 the solution U of the points that still
 /// live gives each of them the strain at which it fails; the smallest is next. If it lies below the strain
-/// that the platens have reached, the failure belongs to an avalanche at that strain. No velocity, time step,
-/// density or damping is involved.
+/// that the platens have reached, the failure belongs to an avalanche at that strain; or, on the path that
+/// snaps back, the platens go back to it. No velocity, time step, density or damping is involved.
 #pragma once
 
 #include <cstdint>
@@ -29,10 +29,12 @@ class QuasiStaticSolver {
   QuasiStaticSolver(const Scene& scene, const Plan& plan, const PixelField<double>& factors);
 
   /// Take up to `steps` steps (>= 1), each from one state in equilibrium to the next one at which a point
-  /// fails; stops at stop_strain. Returns the ledger of the last state, before the points fail.
+  /// fails, or on a path that snaps back to the one after the drop; stops at stop_strain. Returns the ledger
+  /// of the last state, before its points fail.
   [[nodiscard]] Ledger advance(std::int64_t steps);
 
   [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] std::int64_t iterations() const { return equilibrium_.iterations(); }  ///< so far
   [[nodiscard]] bool is_done() const { return done_; }
   [[nodiscard]] double dt() const { return 0; }  ///< there is no time
 
@@ -83,6 +85,16 @@ class QuasiStaticSolver {
   double soften(const Place& at, std::size_t index, double strain);
   void find_onsets();
   void add_work(double strain);
+  void take_work(double before);
+  void move_platens(double before);
+  void move_on();
+  [[nodiscard]] bool is_live(double share) const;
+  [[nodiscard]] bool may_be_loose(std::int64_t iterations) const;
+  void take_out_loose();
+  void take_out(const Pieces& pieces);
+  [[nodiscard]] double energy_of(const Place& at) const;
+  [[nodiscard]] FramePoint frame_point(const Pixel& pixel, std::uint8_t label) const;
+  [[nodiscard]] bool snaps_back() const { return scene_.loading.path == LoadingPath::snap_back; }
   void fail_points(double strain, double up_to);
   [[nodiscard]] Ledger ledger() const;
   [[nodiscard]] double energy() const;  ///< elastic energy at the strain reached [J/m]
@@ -102,13 +114,17 @@ class QuasiStaticSolver {
   double next_ = 0;   ///< smallest strain at which a point fails [-]
   FailureMaps maps_;
   Tally tally_;
-  double sign_ = 1;     ///< of the platen strain
-  double strain_ = 0;   ///< reached, without sign [-]
-  double modulus_ = 0;  ///< of the last state [Pa]
+  double sign_ = 1;      ///< of the platen strain
+  double strain_ = 0;    ///< now, without sign [-]
+  double farthest_ = 0;  ///< largest of them so far [-]
+  double modulus_ = 0;   ///< of the last state [Pa]
+  double spent_ = 0;     ///< energy that the points lose that fail now, at their strain [J/m]
   std::int64_t steps_ = 0;
   std::int64_t carrying_ = 0;
   bool done_ = false;
-  bool lost_ = false;  ///< no equilibrium was found
+  bool has_dropped_ = false;  ///< the last state is that after a drop, before which nothing else fails
+  bool lost_ = false;         ///< no equilibrium was found
+  bool parted_ = false;       ///< no way of live points joins the platens
 };
 
 }  // namespace mpm

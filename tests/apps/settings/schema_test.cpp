@@ -268,10 +268,13 @@ TEST(Schema, ReadsTheFormerNameOfTheCell) {
 
 TEST(Schema, KnowsWhatEquilibriumHasNoUseFor) {
   Settings settings;
-  EXPECT_EQ(app::why_unused("solver.event_tolerance", settings),
-            "has an effect with solver.method = \"quasi_static\" only");
+  for (const char* key : {"solver.event_tolerance", "loading.path"})
+    EXPECT_EQ(app::why_unused(key, settings), "has an effect with solver.method = \"quasi_static\" only");
   settings.scene.method = mpm::SolverMethod::quasi_static;
-  EXPECT_EQ(app::why_unused("solver.event_tolerance", settings), "");
+  for (const char* key : {"solver.event_tolerance", "loading.path"})
+    EXPECT_EQ(app::why_unused(key, settings), "") << key;
+  app::find_field("loading.path")->set(settings, {std::string("snap_back")});
+  EXPECT_EQ(settings.scene.loading.path, mpm::LoadingPath::snap_back);
   for (const char* key : {"loading.velocity", "loading.ramp_time", "solver.cfl", "solver.local_damping"})
     EXPECT_EQ(app::why_unused(key, settings), "has no effect with solver.method = \"quasi_static\"") << key;
 }

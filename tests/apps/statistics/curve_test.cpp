@@ -22,6 +22,24 @@ TEST(Curve, NormalisedHasItsPeakAtOne) {
   EXPECT_NEAR(curve.strain.back(), 3, 1e-12);
 }
 
+TEST(Curve, ThatSnapsBackIsSeenByPlatensThatNeverDo) {
+  mpm::Result result;
+  for (const auto& [strain, stress] : std::vector<std::pair<double, double>>{
+           {0, 0}, {2, 4}, {1, 1}, {1.5, 1.2}, {2.5, 2}, {2.2, 0.5}, {3, 0.1}}) {
+    mpm::HistoryRow row;
+    row.strain = strain;
+    row.stress = stress;
+    result.history.push_back(row);
+  }
+  result.peak_stress = 4;
+  result.peak_strain = 2;
+  const Curve curve = app::stress_curve(result);
+  EXPECT_THAT(curve.strain, ElementsAre(0, 2, 2.5, 3));
+  EXPECT_THAT(curve.stress, ElementsAre(0, 4, 2, 0.1));
+  EXPECT_DOUBLE_EQ(app::drop_ratio(result, 0.5), 1);
+  EXPECT_DOUBLE_EQ(app::drop_ratio(result, 0.2), 1.25 - 0.25);
+}
+
 TEST(Curve, ValueIsOnTheLineBetweenPoints) {
   const Curve curve{{1, 3}, {10, 20}};
   EXPECT_DOUBLE_EQ(value_at(curve, 1), 10);

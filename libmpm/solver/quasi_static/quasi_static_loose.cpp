@@ -1,0 +1,59 @@
+// What has come loose from the platens carries nothing, and would only be in the way of the iteration.
+#include <algorithm>
+
+#include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
+
+namespace mpm {
+namespace {
+
+constexpr int steps_between = 16;  ///< two looks for loose pieces; one costs as much as an iteration
+constexpr std::int64_t many_iterations = 30;  ///< of a solve from the last state; usual are about 5
+
+}  // namespace
+
+/// Whether a point holds its cell together, by the share of its stiffness that it has.
+bool QuasiStaticSolver::is_live(double share) const {
+  return share > (scene_.damage.residual_stiffness > 0 ? 0 : 1.5 * least_kept());
+}
+
+/// What is left of the specimen may hang on failed points only.
+bool QuasiStaticSolver::may_be_loose(std::int64_t iterations) const {
+  if (scene_.damage.residual_stiffness > 0) return false;
+  double stiffest = 0;
+  for (const Limits& limits : limits_) stiffest = std::max(stiffest, limits.stiffness(0, 0));
+  const double of_failed_row = least_kept() * stiffest * plan_.cells_y;  // no row of failed points is stiffer
+  return iterations > many_iterations || steps_ % steps_between == 0 ||
+         equilibrium_.modulus() < 10 * of_failed_row;
+}
+
+void QuasiStaticSolver::take_out_loose() {
+  if (parted_) return;
+  const int planes = equilibrium_.points().planes;
+  const Pieces pieces(plan_.cells_x, plan_.cells_y, [&](int row, int cell) {
+    for (int plane = 0; plane < planes; ++plane)
+      if (is_live(equilibrium_.kept(row, plane, cell))) return true;
+    return false;
+  });
+  take_out(pieces);
+  parted_ = !pieces.joins_platens();
+  if (parted_) equilibrium_.part(pieces);
+}
+
+/// The points of cells with nodes that no platen holds lose their stiffness, failed ones too, which held the
+/// others.
+void QuasiStaticSolver::take_out(const Pieces& pieces) {
+  std::vector<Equilibrium::Change> changes;
+  const std::int64_t before = carrying_;
+  each_point([&](const Place& at, std::size_t index) {
+    const double share = equilibrium_.kept(at.row, at.plane, at.cell);
+    if (share <= 0 || pieces.is_held(at.row, at.cell)) return;
+    if (is_live(share)) --carrying_;
+    factors_[index] = 0;
+    set_resistance(at, index);
+    changes.push_back({at.row, at.plane, at.cell, 0});
+  });
+  if (carrying_ == before) return;  // a crack is wider than a cell, and holds nothing
+  equilibrium_.change(changes);     // nodes without stiffness stay where they are
+}
+
+}  // namespace mpm
