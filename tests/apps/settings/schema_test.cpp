@@ -45,6 +45,7 @@ std::vector<Value> trial_values() {
           text("usl"),
           text("apic"),
           text("quasi_static"),
+          text("snap_back"),
           text("pixel"),
           text("open"),
           text("some words"),
