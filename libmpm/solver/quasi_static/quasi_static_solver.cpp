@@ -65,15 +65,6 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
   });
 }
 
-template <class Visit>
-void QuasiStaticSolver::each_point(const Visit& visit) const {
-  const LatticePoints<double>& points = equilibrium_.points();
-  for (int row = 0; row < plan_.cells_y; ++row)
-    for (int plane = 0; plane < points.planes; ++plane)
-      for (int cell = 0; cell < plan_.cells_x; ++cell)
-        visit(Place{row, plane, cell}, points.at(row, plane, cell));
-}
-
 const QuasiStaticSolver::Limits& QuasiStaticSolver::limits_at(const Place& at) const {
   return limits_[*equilibrium_.label(at.row, at.plane, at.cell)];
 }

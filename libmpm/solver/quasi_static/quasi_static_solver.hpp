@@ -127,4 +127,13 @@ class QuasiStaticSolver {
   bool parted_ = false;       ///< no way of live points joins the platens
 };
 
+template <class Visit>
+void QuasiStaticSolver::each_point(const Visit& visit) const {
+  const LatticePoints<double>& points = equilibrium_.points();
+  for (int row = 0; row < plan_.cells_y; ++row)
+    for (int plane = 0; plane < points.planes; ++plane)
+      for (int cell = 0; cell < plan_.cells_x; ++cell)
+        visit(Place{row, plane, cell}, points.at(row, plane, cell));
+}
+
 }  // namespace mpm
