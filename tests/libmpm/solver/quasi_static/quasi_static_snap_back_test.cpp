@@ -107,7 +107,7 @@ TEST(QuasiStaticSnapBack, TheFirstFailuresAndThePeakAreThoseOfPlatensThatOnlyGoO
     });
     EXPECT_NE(same, back.history.end()) << row.tension_failures;
   }
-  EXPECT_NEAR(back.peak_stress, still.peak_stress, 1e-9 * still.peak_stress);
+  EXPECT_NEAR(back.peak_stress, still.peak_stress, 1e-6 * still.peak_stress);
   EXPECT_LT(back.history.back().released, 0.9 * still.history.back().released);
   EXPECT_LT(back.energy_error, 1e-12);
 }
