@@ -8,7 +8,7 @@
 #include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 
-namespace quasi_static_snap_back_test {
+namespace quasi_static_solver_snap_back_test {
 
 using mpm::Result;
 using mpm::Scene;
@@ -164,4 +164,4 @@ TEST(QuasiStaticSnapBack, GoesOnAsIfItHadNeverStopped) {
   }
 }
 
-}  // namespace quasi_static_snap_back_test
+}  // namespace quasi_static_solver_snap_back_test
