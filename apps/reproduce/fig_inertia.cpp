@@ -140,8 +140,8 @@ nlohmann::json json_of_peaks(const std::vector<Peaks>& all) {
   for (const Peaks& one : all) {
     nlohmann::json row{{"cell", one.way->cell},
                        {"method", one.way->motion},
-                       {"peak_stress_Pa", json_of(spread_of(one.stresses))},
-                       {"peak_strain", json_of(spread_of(one.strains))}};
+                       {"peak_stress_Pa", reproduce::json_of(spread_of(one.stresses))},
+                       {"peak_strain", reproduce::json_of(spread_of(one.strains))}};
     if (one.has_rest) row["over_that_without_inertia"] = 1 + one.off;
     json.push_back(std::move(row));
   }
