@@ -26,7 +26,9 @@ constexpr const char* error_title = "Error against run time";
 
 /// "0.83 %", "12 %", "3.1 × 10⁻¹² %".
 std::string error_text(double error) { return output::rounded(100 * error, 2) + " %"; }
-std::string order_text(double order) { return output::with_decimals(order, 1); }
+std::string order_text(double order) {
+  return std::isfinite(order) ? output::with_decimals(order, 1) : std::string("none");
+}
 
 /// "12 ms", "3.4 s".
 std::string time_text(double seconds) {
@@ -149,7 +151,9 @@ std::string error_html(const std::vector<ProblemResult>& results) {
       fmt::format(
           "Problems with a known answer, and concrete against a slow and fine run, solved in many ways by "
           "mesopix {}. Each run had one thread and the machine to itself; its time is that of its time "
-          "loop. Order: the power of the size with which the error falls.",
+          "loop. Order: the power of the size with which the error falls; none where fewer than three runs "
+          "came to their end, or the error does not fall from each to the next, for then it does not follow "
+          "the size.",
           version()));
   for (const ProblemResult& result : results) html += problem_html(result);
   return output::page(error_title, html + output::section("The cheapest way", cheapest_table(results)));

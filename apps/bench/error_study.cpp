@@ -40,7 +40,8 @@ double order_of(const std::vector<Sample>& samples) {
       sizes.push_back(sample.size);
       errors.push_back(sample.error);
     }
-  return sizes.size() < 2 ? unknown : power_of(sizes, errors);
+  const bool falls = std::is_sorted(errors.rbegin(), errors.rend());
+  return sizes.size() < 3 || !falls ? unknown : power_of(sizes, errors);
 }
 
 template <class Visit>

@@ -53,7 +53,8 @@ struct MethodResult {
   const Method* method = nullptr;
   std::vector<Sample> samples;
   double order =
-      0;  ///< power of the size with which the error falls [-]; not a number for fewer than two samples
+      0;  ///< power of the size with which the error falls [-]; not a number for fewer than three samples,
+          ///< and where it does not fall from each to the next: then something else than the size rules it
 };
 
 struct ProblemResult {

@@ -65,6 +65,7 @@ std::vector<StabilityCase> all_cases() {
                                         {"Points", point_cases},
                                         {"Time step", time_step_cases},
                                         {"Loading", loading_cases},
+                                        {"Inertia", inertia_cases},
                                         {"Equilibrium", quasi_static_cases},
                                         {"Motion", motion_cases},
                                         {"Numbers", number_cases}})

@@ -30,6 +30,7 @@ struct StabilityCase {
 [[nodiscard]] std::vector<StabilityCase> point_cases();         ///< points a cell, and where they stand in it
 [[nodiscard]] std::vector<StabilityCase> time_step_cases();     ///< on both sides of the critical step
 [[nodiscard]] std::vector<StabilityCase> loading_cases();       ///< speed and ramp of the platen
+[[nodiscard]] std::vector<StabilityCase> inertia_cases();       ///< what is not at rest, and is said
 [[nodiscard]] std::vector<StabilityCase> quasi_static_cases();  ///< equilibrium without inertia
 [[nodiscard]] std::vector<StabilityCase> motion_cases();        ///< points that move, meet and turn
 [[nodiscard]] std::vector<StabilityCase> number_cases();  ///< precision, and numbers that are hardly any

@@ -40,14 +40,8 @@ constexpr const char* simulate_footer =
 /// Gives the job the rate, step and precision that the tolerance asks for.   @return their error.
 output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
   const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
-  if (!found.met)
-    throw Rejected(
-        Exit::data, "--tolerance", output::concise(100 * tolerance) + " %",
-        fmt::format("not met: at {} m/s the peak may still be wrong by {}",
-                    output::concise(found.scene.loading.velocity, 4),
-                    output::percent(found.estimate.stress_error())),
-        "choose --method quasi_static, which has no rate, or a larger tolerance; nothing was written");
-  adopt(found, tolerance, job);
+  require_met(found, tolerance, "--tolerance");
+  adopt(found, job);
   console.say(
       fmt::format("a tolerance of {} is met at {} m/s, CFL {} and {} precision, found in {:.2f} s",
                   output::concise(100 * tolerance) + " %", output::concise(found.scene.loading.velocity, 4),

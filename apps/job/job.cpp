@@ -20,23 +20,6 @@ Prepared prepare_cells(const Settings& settings) {
   return fit_to_cells(prepare_specimen(settings), settings);
 }
 
-Job make_job(Settings settings, Prepared cells) {
-  mpm::Scene scene = build_scene(cells.specimen, settings);
-  mpm::validate(scene);
-  return {std::move(settings), std::move(cells.specimen), std::move(scene), std::move(cells.notes)};
-}
-
-Job make_job(Settings settings) {
-  Prepared cells = prepare_cells(settings);
-  return make_job(std::move(settings), std::move(cells));
-}
-
-Job make_job(Settings settings, Console& console) {
-  Prepared cells = prepare_cells(settings);
-  for (const std::string& note : cells.notes) console.say("note: " + note);
-  return make_job(std::move(settings), std::move(cells));
-}
-
 namespace {
 
 constexpr const char* void_name = "void";
@@ -123,27 +106,27 @@ void check_edges(const mpm::Scene& scene) {
                  "crop the picture with convert.crop to where the material begins");
 }
 
-/// How far down the solid cells reach that hang together with the upper edge, in rows of cells. Cells that
-/// share a node carry load to each other.
-int depth_from_top(const mpm::Scene& scene) {
-  const int k = scene.points_per_cell;
-  const auto rows = static_cast<int>(scene.labels.rows()) / k;
-  const auto cols = static_cast<int>(scene.labels.cols()) / k;
-  specimen::Raster<char> open(rows, cols);  // solid, and not yet reached
-  for (int row = 0; row < rows; ++row)
-    for (int col = 0; col < cols; ++col)
-      for (const std::uint8_t label : scene.labels.block(row * k, col * k, k, k).reshaped())
-        if (scene.phases[label]) open(row, col) = 1;
-  std::vector<std::pair<int, int>> todo;
-  const auto reach = [&](int row, int col) {
-    if (row < 0 || col < 0 || row >= rows || col >= cols || open(row, col) == 0) return;
-    open(row, col) = 0;
-    todo.emplace_back(row, col);
+/// How far down the solid pixels reach that hang together with the cells at the upper edge, which the platen
+/// holds, in rows of pixels, by edges or corners. That cells of several pixels have nodes on both sides of a
+/// gap carries nothing across it.
+Eigen::Index depth_from_top(const mpm::Scene& scene) {
+  const Eigen::Index rows = scene.labels.rows(), cols = scene.labels.cols();
+  std::vector<char> open(static_cast<std::size_t>(rows * cols));  // solid, and not yet reached
+  for (Eigen::Index i = 0; i < scene.labels.size(); ++i)
+    open[static_cast<std::size_t>(i)] = scene.phases[scene.labels.data()[i]] ? 1 : 0;
+  std::vector<Eigen::Index> todo;
+  const auto reach = [&](Eigen::Index row, Eigen::Index col) {
+    if (row < 0 || col < 0 || row >= rows || col >= cols) return;
+    char& is_open = open[static_cast<std::size_t>(row * cols + col)];
+    if (is_open == 0) return;
+    is_open = 0;
+    todo.push_back(row * cols + col);
   };
-  for (int col = 0; col < cols; ++col) reach(0, col);
-  int depth = 0;
+  for (Eigen::Index row = 0; row < scene.points_per_cell; ++row)
+    for (Eigen::Index col = 0; col < cols; ++col) reach(row, col);
+  Eigen::Index depth = 0;
   while (!todo.empty()) {
-    const auto [row, col] = todo.back();
+    const Eigen::Index row = todo.back() / cols, col = todo.back() % cols;
     todo.pop_back();
     depth = std::max(depth, row + 1);
     for (int d = 0; d < 9; ++d) reach(row + d / 3 - 1, col + d % 3 - 1);
@@ -151,18 +134,50 @@ int depth_from_top(const mpm::Scene& scene) {
   return depth;
 }
 
-/// With nothing from platen to platen there is no test, unless points that move may still meet.
-void check_connection(const mpm::Scene& scene) {
-  const bool may_meet = scene.kinematics != mpm::Kinematics::small_strain &&
-                        scene.loading.direction == mpm::Direction::compression;
-  if (may_meet) return;
+/// Least height of void that the platens must close before material touches from one to the other [m].
+double least_gap(const mpm::Scene& scene) {
+  Eigen::Index least = scene.labels.rows();
+  for (Eigen::Index col = 0; col < scene.labels.cols(); ++col) {
+    Eigen::Index empty = 0;
+    for (const std::uint8_t label : scene.labels.col(col)) empty += scene.phases[label] ? 0 : 1;
+    least = std::min(least, empty);
+  }
+  return static_cast<double>(least) * scene.pixel_size;
+}
+
+/// Where the upper part of a specimen ends that is in two; empty for one that holds together.
+std::string where_parted(const mpm::Scene& scene) {
+  const Eigen::Index depth = depth_from_top(scene);
+  if (depth > scene.labels.rows() - scene.points_per_cell) return {};
+  return fmt::format("void from side to side, {:.4g} mm below its top edge",
+                     1e3 * static_cast<double>(depth) * scene.pixel_size);
+}
+
+/// Points that move, and are pressed, may meet across a void; within a cell they act on each other already.
+bool may_meet(const mpm::Scene& scene) {
   const double cell = scene.points_per_cell * scene.pixel_size;
-  const double depth = depth_from_top(scene) * cell;
-  if (depth > scene.height() - 0.5 * cell) return;
-  throw Rejected(Exit::data, "specimen",
-                 fmt::format("void from side to side, {:.4g} mm below its top edge", 1e3 * depth),
-                 "must hold together from platen to platen",
+  return scene.kinematics != mpm::Kinematics::small_strain &&
+         scene.loading.direction == mpm::Direction::compression &&
+         least_gap(scene) <= scene.loading.stop_strain * scene.height() + cell;
+}
+
+/// With nothing from platen to platen there is no test, unless points that move still meet.
+void check_connection(const mpm::Scene& scene) {
+  const std::string where = where_parted(scene);
+  if (where.empty() || may_meet(scene)) return;
+  throw Rejected(Exit::data, "specimen", where, "must hold together from platen to platen",
                  "look at the phases with mesopix inspect; convert.class_phases says which class is void");
+}
+
+/// That the parts of a specimen have yet to meet.
+std::vector<std::string> notes_on_parts(const mpm::Scene& scene) {
+  if (scene.loading.direction == mpm::Direction::none) return {};
+  const std::string where = where_parted(scene);
+  if (where.empty()) return {};
+  return {
+      fmt::format("the specimen is in parts, with {}: nothing is carried from platen to platen until they "
+                  "meet; the least gap is {:.4g} mm, and the platen moves by {:.4g} mm",
+                  where, 1e3 * least_gap(scene), 1e3 * scene.loading.stop_strain * scene.height())};
 }
 
 /// The paper's ITZ: a material point at each corner of each ring; corners outside the specimen are left out.
@@ -236,6 +251,27 @@ mpm::Scene build_elastic_scene(const specimen::Specimen& specimen, const Setting
   scene.instruction_set = settings.scene.instruction_set;
   mpm::validate(scene);
   return scene;
+}
+
+Job make_job(Settings settings, Prepared cells) {
+  mpm::Scene scene = build_scene(cells.specimen, settings);
+  mpm::validate(scene);
+  for (std::string& note : notes_on_parts(scene)) cells.notes.push_back(std::move(note));
+  return {std::move(settings), std::move(cells.specimen), std::move(scene), std::move(cells.notes)};
+}
+
+Job make_job(Settings settings) {
+  Prepared cells = prepare_cells(settings);
+  return make_job(std::move(settings), std::move(cells));
+}
+
+Job make_job(Settings settings, Console& console) {
+  Prepared cells = prepare_cells(settings);
+  for (const std::string& note : cells.notes) console.say("note: " + note);
+  const std::size_t told = cells.notes.size();
+  Job job = make_job(std::move(settings), std::move(cells));
+  for (std::size_t i = told; i < job.notes.size(); ++i) console.say("warning: " + job.notes[i]);
+  return job;
 }
 
 }  // namespace app

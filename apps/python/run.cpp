@@ -124,7 +124,8 @@ class Task {
   void meet(double tolerance) {
     try {
       const app::Tolerated found = app::meet_tolerance(run_->job.scene, tolerance, second_run());
-      app::adopt(found, tolerance, run_->job);
+      app::require_met(found, tolerance, "tolerance");
+      app::adopt(found, run_->job);
       run_->estimate = found.estimate;
     } catch (const app::NoEstimate& failed) {
       spectator_.conclude("interrupted", py::none());

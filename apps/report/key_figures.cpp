@@ -80,6 +80,22 @@ FailureCount failures_of_extra_points(const RunRecord& record, const std::vector
   return extra;
 }
 
+const mpm::HistoryRow& peak_row(const mpm::Result& result) {
+  const auto& rows = result.history;
+  const auto at_peak = std::find_if(rows.begin(), rows.end(), [&](const mpm::HistoryRow& row) {
+    return result.peak_stress > 0 && row.strain == result.peak_strain;
+  });
+  if (at_peak != rows.end()) return *at_peak;
+  return *std::max_element(rows.begin(), rows.end(), [](const mpm::HistoryRow& a, const mpm::HistoryRow& b) {
+    return a.stress < b.stress;
+  });
+}
+
+InertiaShares inertia_of(const mpm::HistoryRow& row) {
+  const auto of_work = [&](double energy) { return row.platen_work > 0 ? energy / row.platen_work : 0; };
+  return {mpm::platen_imbalance(row), of_work(row.kinetic), of_work(row.damped)};
+}
+
 double secant_modulus(const mpm::Result& result) {
   const auto reached = [&](const mpm::HistoryRow& row) {
     return row.strain > 0 && row.stress > 0 && row.stress >= 0.4 * result.peak_stress;

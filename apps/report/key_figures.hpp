@@ -12,6 +12,20 @@
 
 namespace output {
 
+/// What of a peak is not the strength of a specimen in equilibrium [-].
+struct InertiaShares {
+  double imbalance = 0;  ///< see mpm::platen_imbalance()
+  double kinetic = 0;    ///< kinetic energy over the work of the platens
+  double damped = 0;     ///< work of local damping so far over that of the platens
+};
+
+/// Row of the history at the peak; the one with the largest stress where no stress has passed through the
+/// specimen.   @pre the history is not empty.
+[[nodiscard]] const mpm::HistoryRow& peak_row(const mpm::Result& result);
+
+/// All 0 at rest.
+[[nodiscard]] InertiaShares inertia_of(const mpm::HistoryRow& row);
+
 /// "stress_Pa", "work_J_per_m"; the name alone where the unit is "1".
 [[nodiscard]] std::string column_title(std::string_view name, std::string_view unit);
 

@@ -107,6 +107,13 @@ json figures_of(const mpm::Result& result) {
           {"stop_reason", output::word_of(result.stop)}};
 }
 
+json inertia_of(const mpm::Result& result) {
+  const output::InertiaShares shares = output::inertia_of(output::peak_row(result));
+  return {{"peak_imbalance", shares.imbalance},
+          {"peak_kinetic_share", shares.kinetic},
+          {"peak_damped_share", shares.damped}};
+}
+
 json estimate_of(const output::ErrorEstimate& estimate) {
   json all{{"peak_stress_error", estimate.stress_error()},
            {"peak_strain_error", estimate.strain_error()},
@@ -127,6 +134,8 @@ json estimate_of(const output::ErrorEstimate& estimate) {
 
 json summary(const RunRecord& record) {
   json all = figures_of(record.result);
+  if (output::has_platens(record.scene) && !record.result.history.empty())
+    all.update(inertia_of(record.result));
   all.update(setting_of(record.scene));
   all.update(loading_of(record.scene));
   all["specimen"] = specimen_of(record.specimen);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "apps/text/figures.hpp"
 #include "libmpm/scene/error.hpp"
 #include "libmpm/solver/plan.hpp"
+#include "specimen/convert/resample.hpp"
 
 namespace app {
 namespace {
@@ -73,19 +73,6 @@ std::string precision_text(const mpm::Scene& scene) {
 }
 std::string pixel_text(const mpm::Scene& scene) { return output::concise(1e3 * scene.pixel_size, 4) + " mm"; }
 
-/// The label that most of four pixels have.
-std::uint8_t majority(const std::array<std::uint8_t, 4>& labels) {
-  std::uint8_t best = labels[0];
-  std::ptrdiff_t most = 0;
-  for (const std::uint8_t label : labels) {
-    const auto count = std::count(labels.begin(), labels.end(), label);
-    if (count <= most) continue;
-    most = count;
-    best = label;
-  }
-  return best;
-}
-
 /// Whether pixels twice as large leave cells to compute with.
 bool can_coarsen(const mpm::Scene& scene) {
   const int least = 8 * scene.points_per_cell;
@@ -111,10 +98,16 @@ class Search {
   }
   [[nodiscard]] double wall_time() const { return wall_time_; }
 
+  /// Of the fastest wave, or where that cannot strain sideways, of one along a bar [s].
+  static double transit(const mpm::Scene& scene) {
+    const mpm::Plan plan = mpm::plan(scene);
+    return std::max(scene.height() / plan.wave_speed, 0.5 * plan.transit_time);
+  }
+
   /// Fast, but slow enough for eight transits of the wave.
   [[nodiscard]] mpm::Scene fastest() const {
     mpm::Scene scene = scene_;
-    scene.loading.velocity = scene.loading.stop_strain * mpm::plan(scene).wave_speed / 8;
+    scene.loading.velocity = scene.loading.stop_strain * scene.height() / (8 * transit(scene));
     scene.cfl = 0.9;
     scene.precision = mpm::Precision::single;
     return scene;
@@ -177,8 +170,10 @@ ErrorSource rate_source(const mpm::Result& of, const mpm::Result& fast, const mp
                         const mpm::Result& slow, const std::string& compared, const mpm::Result& other) {
   const auto error = [&](double mpm::Result::*quantity) {
     const AtRest rest = at_rest(fast.*quantity, middle.*quantity, slow.*quantity);
-    return of.*quantity == 0 ? 0
-                             : margin * (std::abs(of.*quantity - rest.value) + rest.deviation) / of.*quantity;
+    const auto [least, most] = std::minmax({fast.*quantity, middle.*quantity, slow.*quantity});
+    // Three rates may lie on a line by chance: never less than they differ.
+    const double error = std::max(std::abs(of.*quantity - rest.value) + rest.deviation, most - least);
+    return of.*quantity == 0 ? 0 : margin * error / of.*quantity;
   };
   return {"loading rate",
           compared,
@@ -235,6 +230,25 @@ ErrorSource rate_source(const mpm::Result& base, const mpm::Result& still) {
   return source_of("loading rate", "equilibrium", 1, base, still);
 }
 
+/// By what share explicit runs of points that break lie below equilibrium, however slowly they are loaded:
+/// what a failure sets free overloads its neighbours as a wave. Measured on five strength fields of a mask: 8
+/// % in tension, 41 % in compression, none in tension with a local damping of 0.2 or more.
+double bias_of_waves(const mpm::Scene& scene) {
+  const auto can_fail = [](const auto& phase) { return phase && phase->can_fail(); };
+  if (std::none_of(scene.phases.begin(), scene.phases.end(), can_fail)) return 0;
+  if (scene.loading.direction == mpm::Direction::compression) return 0.41;
+  return scene.local_damping < 0.2 ? 0.08 : 0;
+}
+
+/// Where no run without inertia tells, rates that agree tell nothing of what all of them are off.
+void add_bias(const mpm::Scene& scene, const mpm::Result& base, ErrorEstimate& estimate) {
+  const double bias = bias_of_waves(scene);
+  if (bias > 0)
+    estimate.sources.push_back({"waves of breaking points",
+                                "a known bias, as there is no run without inertia",
+                                base.peak_stress / (1 - bias), base.peak_strain / (1 - bias), bias, bias, 0});
+}
+
 /// Against equilibrium, or else from runs at half and at a quarter of the rate: what the rates tend to is not
 /// equilibrium where points break at once.
 ErrorSource rate_error(const mpm::Scene& scene, const mpm::Result& base, const Solve& solve) {
@@ -263,6 +277,7 @@ output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result&
     if (scene.event_tolerance > 0) add("failures at once", finer, tolerance_text(finer), 4.0 / 3);
   } else {
     estimate.sources.push_back(rate_error(shorter, base, solve));
+    if (!at_equilibrium(shorter, base.peak_strain)) add_bias(scene, base, estimate);
     const mpm::Scene short_steps = with_half_the_step(shorter);
     add("time step", short_steps, cfl_text(short_steps), 2);
     const mpm::Scene other = in_other_precision(shorter);
@@ -281,14 +296,18 @@ mpm::Scene coarsened(const mpm::Scene& scene) {
     return pixels / (2 * scene.points_per_cell) * scene.points_per_cell;
   };
   coarse.pixel_size = 2 * scene.pixel_size;
-  coarse.labels.resize(whole(scene.labels.rows()), whole(scene.labels.cols()));
+  const Eigen::Index rows = whole(scene.labels.rows()), cols = whole(scene.labels.cols());
   // Extra points are counted from below: what is cut off is on top.
-  const Eigen::Index cut = scene.labels.rows() - 2 * coarse.labels.rows();
-  for (Eigen::Index row = 0; row < coarse.labels.rows(); ++row)
-    for (Eigen::Index col = 0; col < coarse.labels.cols(); ++col) {
-      const auto fine = scene.labels.block<2, 2>(cut + 2 * row, 2 * col);
-      coarse.labels(row, col) = majority({fine(0, 0), fine(0, 1), fine(1, 0), fine(1, 1)});
-    }
+  const Eigen::Index cut = scene.labels.rows() - 2 * rows;
+  specimen::Raster<specimen::Cell> cells(static_cast<int>(2 * rows), static_cast<int>(2 * cols));
+  for (int row = 0; row < cells.rows; ++row)
+    for (int col = 0; col < cells.cols; ++col) cells(row, col) = scene.labels(cut + row, col);
+  const specimen::Raster<specimen::Cell> half =
+      specimen::resampled(cells, {cells.rows, cells.cols, 1, static_cast<int>(rows), static_cast<int>(cols)});
+  coarse.labels.resize(rows, cols);
+  for (int row = 0; row < half.rows; ++row)
+    for (int col = 0; col < half.cols; ++col)
+      coarse.labels(row, col) = static_cast<std::uint8_t>(half(row, col));
   std::erase_if(coarse.extra_points, [&](const mpm::ExtraPoint& point) {
     return point.x >= coarse.width() || point.y >= coarse.height();
   });
@@ -310,10 +329,12 @@ Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve&
     candidate = search.take(slower(candidate.scene));
     ladder.add(candidate);
     found.estimate.sources = {rest ? rate_source(candidate.result, still) : ladder.error()};
+    if (!rest) add_bias(scene, candidate.result, found.estimate);
     moves = !rest || ladder.rungs() < 4 ||
             change(candidate.result.peak_stress, last) > 0.1 * found.estimate.stress_error();
   } while ((!rest && ladder.rungs() < 3) ||
-           (moves && found.estimate.stress_error() > 0.5 * tolerance && ladder.rungs() <= most_halvings));
+           (moves && (rest || bias_of_waves(scene) < tolerance) &&
+            found.estimate.stress_error() > 0.5 * tolerance && ladder.rungs() <= most_halvings));
   const auto refine = [&](const Refinement& by) {
     Settled settled = settle(search, std::move(candidate), by, 0.25 * tolerance);
     candidate = std::move(settled.candidate);

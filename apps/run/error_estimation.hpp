@@ -16,14 +16,15 @@ using Solve = std::function<mpm::Result(const mpm::Scene&)>;
 /// without inertia, with half the step, in the other precision, and with pixels twice as large. The error of
 /// the rate is the difference from equilibrium. Where there is none (points move, cracks close, extra points)
 /// it comes from runs at a half and a quarter of the rate: the distance to the line through the three rates
-/// at rest, and the standard error of that line there. The step is taken to be of first order, so that the
-/// error is twice what halving it changes; pixels too, so that it is what doubling them changes; of precision
-/// it is the difference. All have a margin of a quarter. Source: Roache, Verification and Validation in
-/// Computational Science and Engineering (1998): the grid convergence index.
+/// at rest, and the standard error of that line there, or by how much they differ if that is more; and where
+/// points can fail, a known bias of explicit runs comes to that, which no rate shows. The step is taken to be
+/// of first order, so that the error is twice what halving it changes; pixels too, so that it is what
+/// doubling them changes; of precision it is the difference. All have a margin of a quarter. Source: Roache,
+/// Verification and Validation in Computational Science and Engineering (1998): the grid convergence index.
 [[nodiscard]] output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result& base,
                                                    const Solve& solve);
 
-/// Pixels twice as large: of each four the label that most of them have, of several such the first. Rows and
+/// Pixels twice as large, as specimen::resampled() makes them: an ITZ stays a ring of one pixel. Rows and
 /// columns that fill no cell of such pixels are cut off. Extra points stay where they are.
 [[nodiscard]] mpm::Scene coarsened(const mpm::Scene& scene);
 

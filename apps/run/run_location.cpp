@@ -3,6 +3,7 @@
 #include <string>
 #include <system_error>
 
+#include "apps/run/solving.hpp"
 #include "apps/scene/input.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/system/hdf5_files.hpp"
@@ -69,6 +70,7 @@ ReadRun read_run(const std::string& folder) {
   if (!fits)
     throw Rejected(Exit::data, folder, "specimen.h5 and result.h5 have other shapes", "",
                    "take the folder as one run has written it");
+  for (const Remark& remark : remarks_on({run.result, {}}, run.scene)) run.notes.push_back(remark.text);
   return run;
 }
 

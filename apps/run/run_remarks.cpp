@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/report/key_figures.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/text/complaint.hpp"
+#include "apps/text/figures.hpp"
 
 namespace output {
 
@@ -20,11 +22,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Share of the energy put in that the ledger may miss without a word. Points that move lose more to the
-/// grid, and can lose it all in the end where rubble is ground.
-double tolerated_energy_error(const mpm::Scene& scene) {
-  return scene.kinematics == mpm::Kinematics::small_strain ? 0.01 : 0.1;
-}
+constexpr double tolerated_energy_error = 0.01;  ///< over the energy put in [-]
 
 /// What keeps more of the energy than the scene does.
 std::string less_dissipation(const mpm::Scene& scene) {
@@ -38,7 +36,7 @@ std::string less_dissipation(const mpm::Scene& scene) {
 }  // namespace
 
 std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
-  if (!(result.energy_error > tolerated_energy_error(scene))) return {};
+  if (!(result.energy_error > tolerated_energy_error)) return {};
   const std::string put_in = output::has_platens(scene) ? "the platen work" : "the energy of the flight";
   if (scene.damage.crack_closure == mpm::CrackClosure::clipped)
     return fmt::format(
@@ -52,6 +50,86 @@ std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
       "{:.2g} % of {} was lost to numerical dissipation, as moving points average velocities "
       "through the grid; {}",
       100 * result.energy_error, put_in, less_dissipation(scene));
+}
+
+namespace {
+
+constexpr double noticeable = 0.05;  ///< share of a peak that inertia or damping may carry without a word [-]
+
+void add_phrase(std::string& text, const std::string& phrase) { text += (text.empty() ? "" : ", ") + phrase; }
+
+std::string share_phrase(double share, const char* what) {
+  return share > noticeable ? fmt::format("{:.0f} % {}", 100 * share, what) : std::string();
+}
+
+std::string inertia_phrase(const output::InertiaShares& shares) {
+  std::string text;
+  for (const std::string& phrase :
+       {share_phrase(shares.imbalance, "of the reactions of the platens do not balance"),
+        share_phrase(shares.kinetic, "of the work of the platens is motion"),
+        share_phrase(shares.damped, "of it went into local damping")})
+    if (!phrase.empty()) add_phrase(text, phrase);
+  return text;
+}
+
+/// What brings a run nearer to equilibrium.
+std::string calmer(const output::InertiaShares& shares) {
+  const char* less = shares.damped > noticeable ? "choose a smaller loading.velocity or solver.local_damping"
+                                                : "choose a smaller loading.velocity";
+  return std::string(less) + ", or solver.method = \"quasi_static\", which has neither";
+}
+
+std::string megapascals_text(double stress) { return fmt::format("{:.4g} MPa", 1e-6 * stress); }
+
+/// The largest mean reaction of the platens, where it is none that the specimen carries.
+std::string wave_phrase(const mpm::Result& result) {
+  const auto largest = std::max_element(
+      result.history.begin(), result.history.end(),
+      [](const mpm::HistoryRow& a, const mpm::HistoryRow& b) { return a.stress < b.stress; });
+  if (!(largest->stress > (1 + noticeable) * result.peak_stress)) return {};
+  return fmt::format(
+      "the mean reaction of the platens reaches {}, at strain {} and {:.0f} % out of balance, which is a "
+      "wave and "
+      "no "
+      "peak",
+      megapascals_text(largest->stress), strain_text(largest->strain), 100 * mpm::platen_imbalance(*largest));
+}
+
+/// A peak that comes after a break: parts that move more than they carry, and ring.
+std::string ringing_phrase(const mpm::Result& result) {
+  double most = 0;
+  double strain = 0;
+  for (const mpm::HistoryRow& row : result.history) {
+    if (row.strain >= result.peak_strain) break;
+    if (mpm::platen_imbalance(row) <= mpm::balanced && row.stress > most) {
+      most = row.stress;
+      strain = row.strain;
+    }
+    const bool is_broken = row.tension_failures + row.shear_failures > 0 && row.kinetic > row.elastic &&
+                           most > 0.2 * result.peak_stress && row.stress < 0.5 * most;
+    if (is_broken)
+      return fmt::format(
+          "the specimen had broken before the peak: after {} at strain {} the stress fell below half of "
+          "that, "
+          "with more motion than elastic energy, and rose again as its parts rang",
+          megapascals_text(most), strain_text(strain));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string inertia_note(const mpm::Result& result, const mpm::Scene& scene) {
+  if (!output::has_platens(scene) || scene.method == mpm::SolverMethod::quasi_static ||
+      result.history.empty())
+    return {};
+  const output::InertiaShares shares = output::inertia_of(output::peak_row(result));
+  std::string text;
+  if (const std::string found = inertia_phrase(shares); !found.empty())
+    text = "the peak is not that of a slow test: at it " + found;
+  for (const std::string& phrase : {wave_phrase(result), ringing_phrase(result)})
+    if (!phrase.empty()) text += (text.empty() ? "" : "; ") + phrase;
+  return text.empty() ? text : text + "; " + calmer(shares);
 }
 
 std::string remarks_text(const RunRemarks& remarks) {

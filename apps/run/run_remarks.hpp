@@ -12,9 +12,13 @@
 
 namespace app {
 
-/// By how much it is off, why, and what helps; empty for an error below 1 % of the energy put in, or below 10
-/// % where points move.
+/// By how much it is off, why, and what helps; empty for an error below 1 % of the energy put in.
 [[nodiscard]] std::string energy_note(const mpm::Result& result, const mpm::Scene& scene);
+
+/// How much of the peak inertia and damping carry, by which figures, and what helps; that the largest
+/// reaction of the platens is no peak; that the specimen had broken before. Empty where each share is below 5
+/// %, and without platens.
+[[nodiscard]] std::string inertia_note(const mpm::Result& result, const mpm::Scene& scene);
 
 struct RunRemarks {
   std::vector<std::string> notes;   ///< what was guessed before the run began, one sentence each

@@ -12,6 +12,7 @@
 #include "apps/run/checkpoint_folder.hpp"
 #include "apps/run/frame_folder.hpp"
 #include "apps/run/run_folder.hpp"
+#include "apps/run/run_length.hpp"
 #include "apps/run/solving.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
@@ -188,6 +189,8 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   hooks.frames = frame_sink(frames, console);
   hooks.checkpoints = {[&](const mpm::Checkpoint& checkpoint) { keeper.keep(checkpoint); },
                        task.remarks.checkpoint_every};
+  if (!task.from && !console.quiet)
+    if (const std::string length = announcement(job.scene); !length.empty()) console.say(length);
   const Outcome outcome =
       solve(job.scene, console, guard, std::move(hooks), task.from ? &*task.from : nullptr);
   keeper.report(outcome.result.wall_time, console);

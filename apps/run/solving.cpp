@@ -46,16 +46,21 @@ output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, const Solve&
   }
 }
 
-void adopt(const Tolerated& found, double tolerance, Job& job) {
+void require_met(const Tolerated& found, double tolerance, const std::string& option) {
+  if (found.met) return;
+  throw Rejected(Exit::data, option, output::concise(100 * tolerance) + " %",
+                 "not met: at " + output::concise(found.scene.loading.velocity, 4) +
+                     " m/s the peak may still be wrong by " + output::percent(found.estimate.stress_error()),
+                 "choose solver.method = \"quasi_static\", which has no rate, or a larger tolerance; nothing "
+                 "was written");
+}
+
+void adopt(const Tolerated& found, Job& job) {
   for (mpm::Scene* scene : {&job.scene, &job.settings.scene}) {
     scene->loading.velocity = found.scene.loading.velocity;
     scene->cfl = found.scene.cfl;
     scene->precision = found.scene.precision;
   }
-  if (!found.met)
-    job.notes.push_back(
-        "the tolerance of " + output::concise(100 * tolerance) +
-        " % was not met: where points fail, another order of failures changes the peak as much");
 }
 
 std::vector<Remark> remarks_on(const Outcome& outcome, const mpm::Scene& scene) {
@@ -65,6 +70,8 @@ std::vector<Remark> remarks_on(const Outcome& outcome, const mpm::Scene& scene) 
     remarks.push_back({"nothing carries load any more: every point has failed; the run ended at strain " +
                            strain_text(outcome.result.history.back().strain),
                        "note"});
+  if (const std::string note = inertia_note(outcome.result, scene); !note.empty())
+    remarks.push_back({note, "warning"});
   if (const std::string note = energy_note(outcome.result, scene); !note.empty())
     remarks.push_back({note, scene.kinematics != mpm::Kinematics::small_strain ? "note" : "warning"});
   return remarks;

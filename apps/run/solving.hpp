@@ -47,9 +47,12 @@ struct NoEstimate {
 /// is noted.
 [[nodiscard]] output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, const Solve& second);
 
-/// Gives the job the rate, step and precision that were found for a tolerance, and notes one that was not
-/// met.
-void adopt(const Tolerated& found, double tolerance, Job& job);
+/// @param option  that asked for it, as the caller names it.   @throws Rejected (Exit::data) for a tolerance
+/// that was not met, with the error that is left.
+void require_met(const Tolerated& found, double tolerance, const std::string& option);
+
+/// Gives the job the rate, step and precision that were found for a tolerance.
+void adopt(const Tolerated& found, Job& job);
 
 /// A sentence about a run.
 struct Remark {

@@ -164,7 +164,7 @@ std::vector<Field> loading_fields() {
       field("loading.velocity", QuantityCodec{Dimension::velocity, above(0)}, "of the top platen",
             MEMBER(scene.loading.velocity)),
       field("loading.ramp_time", QuantityCodec{Dimension::time, at_least(0), Word{"auto", -1}},
-            "from rest to full velocity; auto = two transits of the slowest wave",
+            "from rest to full velocity; auto = two transits of the slowest wave, sideways too",
             MEMBER(scene.loading.ramp_time)),
       field("loading.platen", platen, "smooth lets the specimen slide sideways, rough holds it",
             MEMBER(scene.loading.platen)),

@@ -6,15 +6,6 @@
 #include "libmpm/material/strength.hpp"
 
 namespace mpm {
-namespace {
-
-/// Stress over strain of a bar that is free sideways in the plane [Pa].
-double bar_modulus(const Phase& phase, Plane plane) {
-  return plane == Plane::strain ? phase.young / (1 - phase.poisson * phase.poisson) : phase.young;
-}
-
-}  // namespace
-
 double Softening::stress_at(double strain) const {
   return strain > onset ? peak * std::exp(-(strain - onset) / scale) : peak;
 }
@@ -39,7 +30,8 @@ namespace {
 
 /// Share of its first strength below which a softening point is taken to be cracked through.
 constexpr double exhausted = 1e-3;
-constexpr double tooth_ratio = 0.9;  ///< of the stiffness of a tooth to that of the one before [-]
+constexpr double rounding_room = 1e-6;  ///< a few last places of a number in 32 bits [-]
+constexpr double tooth_ratio = 0.9;     ///< of the stiffness of a tooth to that of the one before [-]
 
 /// The elastic stress less what a crack does not carry.
 Stress<double> closed_crack(const Phase& phase, const Stress<double>& elastic, const DamageLaw& law) {
@@ -164,7 +156,11 @@ Response respond(const PointState& point, const Stress<double>& elastic, const D
   const Stress<double> s = carried_stress(point, elastic, law);
   const double normal = law.plane == Plane::strain ? point.phase->poisson * (s.xx + s.yy) : 0.0;
   const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, normal);
-  if (std::max(principal.first, principal.normal) > point.strength)
+  // A point on its softening curve carries its strength, but for the rounding of what is stored of it:
+  // without room for that it would lose a last place in every step, and the more the shorter the steps are.
+  const bool softens = point.kept < 1 || (point.cracked > 0 && point.cracked < 1);
+  const double room = softens ? 1 + rounding_room : 1;
+  if (std::max(principal.first, principal.normal) > room * point.strength)
     return point.phase->softens() ? softened(point, elastic, law) : cracked_through(point, law);
   if (fails_in_shear(*point.phase, point.factor, principal)) return crushed(point, law);
   return {point};

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "libmpm/problems/method.hpp"
+#include "libmpm/solver/lattice/lattice_solver.hpp"
 
 namespace mpm::problems {
 namespace {
@@ -83,6 +85,55 @@ Vibration vibrate_bar(const Method& method, int cells, double cfl) {
   scene.cfl = cfl;
   method.give_to(scene);
   return in_precision(method, [&](auto real) { return vibrate<decltype(real)>(scene); });
+}
+
+namespace {
+
+/// Platens that move by nothing within the run.
+Scene bar_of_pixels(int cells) {
+  Scene scene = soft_body(2 * cells, 2, length / cells);
+  scene.kinematics = Kinematics::small_strain;
+  scene.pixel_cells = true;
+  scene.points_per_cell = 1;
+  scene.loading = {};
+  scene.loading.velocity = 1e-9;
+  scene.loading.ramp_time = 0;
+  scene.loading.stop_strain = scene.loading.velocity * 10 * period / scene.height();
+  scene.threads = 1;
+  return scene;
+}
+
+/// Displacements are known at the end of a step, velocities half a step before.
+double distance(const std::vector<StartPoint>& points, const Scene& scene, double time, double dt) {
+  double square = 0, norm = 0;
+  for (const StartPoint& p : points) {
+    const double y = rest_place(scene, p.id).y;
+    const double u = v0 / omega * shape_at(y) * std::sin(omega * time);
+    const double v = v0 * shape_at(y) * std::cos(omega * (time - 0.5 * dt));
+    square += std::pow(omega * (p.y - y - u), 2) + std::pow(p.vy - v, 2);
+    norm += std::pow(v0 * shape_at(y), 2);
+  }
+  return std::sqrt(square / norm);
+}
+
+}  // namespace
+
+Vibration vibrate_bar_of_pixels(int cells, double cfl) {
+  Scene scene = bar_of_pixels(cells);
+  scene.cfl = cfl;
+  const Plan plan = mpm::plan(scene);
+  LatticeSolver<double> solver(scene, plan);
+  solver.kick([&](double, double y, double&, double& vy) {
+    vy = v0 * shape_at(y) * std::cos(0.5 * omega * plan.dt);
+  });
+  Meter meter(count_points(scene));
+  const Ledger ledger = meter.advance(solver, 1'000'000'000);
+  Vibration outcome;
+  outcome.cost = meter.cost();
+  outcome.trouble = ledger.trouble;
+  outcome.error =
+      distance(solver.hand_over().points, scene, static_cast<double>(solver.steps()) * plan.dt, plan.dt);
+  return outcome;
 }
 
 namespace {

@@ -36,6 +36,11 @@ struct Vibration {
 /// @param cells  over the length of the bar, >= 2.
 [[nodiscard]] Vibration vibrate_bar(const Method& method, int cells, double cfl = 0.5);
 
+/// The same in small strain, with one pixel a cell: the bar and its mirror image beyond the free end, between
+/// two platens at rest. Only the error and the cost are filled in.
+/// @param cells  over the length of the bar, >= 2.
+[[nodiscard]] Vibration vibrate_bar_of_pixels(int cells, double cfl = 0.5);
+
 struct Deformation {
   double error = 0;  ///< root of the mean square of the displacement's error, the largest in time, over A [-]
   Cost cost;

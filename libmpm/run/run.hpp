@@ -25,7 +25,7 @@ class Run {
     result_.threads = plan.threads;
     result_.instruction_set = chosen_kernels(scene.instruction_set).name;
     result_.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
-    add_row(result_, first_row(scene, plan));
+    add_row(result_, first_row(scene, plan), scene.loading.direction);
     if (scene.loading.direction == Direction::none) result_.stop = StopReason::time;
   }
 
@@ -35,7 +35,7 @@ class Run {
     archive.list(result_.history);
     if (result_.history.size() < 2) archive.fail("a history without rows");
     const std::vector<HistoryRow> rows = std::exchange(result_.history, {});
-    for (const HistoryRow& row : rows) add_row(result_, row);
+    for (const HistoryRow& row : rows) add_row(result_, row, scene_.loading.direction);
     wall_time_before_ = wall_time;
   }
 
@@ -56,7 +56,7 @@ class Run {
         complete(result_, solver);
         throw Diverged(trouble, std::move(result_));
       }
-      add_row(result_, row);
+      add_row(result_, row, scene_.loading.direction);
       frames_.offer(solver, share_done(scene_, row), result_.history.size() - 1);
       result_.nothing_carries = nothing_carries(ledger);
       const bool goes_on = !hooks_.observer || hooks_.observer(progress(solver, row));

@@ -99,10 +99,20 @@ HistoryRow history_row(const Scene& scene, const Ledger& ledger) {
   return row;
 }
 
-void add_row(Result& result, const HistoryRow& row) {
+namespace {
+
+/// What counts of a row for the peak [Pa]. A specimen that flies hits one wall at a time.
+double stress_for_peak(const HistoryRow& row, Direction direction) {
+  const bool counts_whole = direction == Direction::none || platen_imbalance(row) <= balanced;
+  return counts_whole ? row.stress : std::min(row.stress_top, row.stress_bottom);
+}
+
+}  // namespace
+
+void add_row(Result& result, const HistoryRow& row, Direction direction) {
   result.history.push_back(row);
-  if (row.stress > result.peak_stress) {
-    result.peak_stress = row.stress;
+  if (const double stress = stress_for_peak(row, direction); stress > result.peak_stress) {
+    result.peak_stress = stress;
     result.peak_strain = row.strain;
   }
   result.tension_failures = row.tension_failures;

@@ -37,7 +37,7 @@ struct Divergence {
 [[nodiscard]] HistoryRow history_row(const Scene& scene, const Ledger& ledger);
 
 /// Add a row, and update the peak and the other totals of the result.
-void add_row(Result& result, const HistoryRow& row);
+void add_row(Result& result, const HistoryRow& row, Direction direction);
 
 /// Of the strain, or without platens of the time, at which the run ends [-].
 [[nodiscard]] double share_done(const Scene& scene, const HistoryRow& row);

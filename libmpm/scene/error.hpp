@@ -51,6 +51,7 @@ class Faults {
 
   void add(const std::vector<Error>& others) { found_.insert(found_.end(), others.begin(), others.end()); }
 
+  [[nodiscard]] bool none() const { return found_.empty(); }
   [[nodiscard]] std::vector<Error> found() && { return std::move(found_); }
 
  private:

@@ -23,6 +23,10 @@ double wave_speed(const Phase& phase, Plane plane) {
   return std::sqrt(stiffness(phase, plane)(0, 0) / phase.density);
 }
 
+double bar_modulus(const Phase& phase, Plane plane) {
+  return plane == Plane::strain ? phase.young / (1 - phase.poisson * phase.poisson) : phase.young;
+}
+
 std::vector<Phase> concrete_phases() {
   constexpr double degree = std::numbers::pi / 180;
   Phase aggregate{.name = "aggregate", .young = 40e9, .poisson = 0.2, .density = 2400};

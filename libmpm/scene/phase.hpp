@@ -44,6 +44,9 @@ struct Phase {
 /// Speed of the fastest (compression) wave in the plane [m/s].   @pre the phase is valid.
 [[nodiscard]] double wave_speed(const Phase& phase, Plane plane);
 
+/// Stress over strain of a bar that is free sideways in the plane [Pa].
+[[nodiscard]] double bar_modulus(const Phase& phase, Plane plane);
+
 /// Aggregate, mortar and ITZ of concrete, in this order.
 /// Source: Liu et al. (2020), Table 1. The paper gives no density; 2400 kg/m^3 is our own choice.
 [[nodiscard]] std::vector<Phase> concrete_phases();

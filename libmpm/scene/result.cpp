@@ -1,6 +1,13 @@
 #include "libmpm/scene/result.hpp"
 
+#include <cmath>
+
 namespace mpm {
+
+double platen_imbalance(const HistoryRow& row) {
+  const double sum = std::abs(row.stress_top) + std::abs(row.stress_bottom);
+  return sum > 0 ? std::abs(row.stress_top - row.stress_bottom) / sum : 0;
+}
 
 const std::array<HistoryColumn, 15>& history_columns() {
   using Row = HistoryRow;

@@ -35,6 +35,14 @@ struct HistoryRow {
   std::int64_t moving_points = 0;     ///< moving points; 0 during small strain
 };
 
+/// By how much the reactions of both platens differ, over the sum of their amounts [-]: the share of them
+/// that is inertia and damping, not stress that the specimen carries from platen to platen. 0 for no
+/// reactions.
+[[nodiscard]] double platen_imbalance(const HistoryRow& row);
+
+/// Imbalance of the platens up to which a row of the history is taken to be in equilibrium [-].
+inline constexpr double balanced = 0.1;
+
 /// How a point failed.
 enum class FailureMode : std::uint8_t { none = 0, tension = 1, shear = 2 };
 
@@ -49,8 +57,10 @@ enum class StopReason {
 /// Maps have the shape (rows, cols) of Scene::labels, row 0 at the top; NaN = no value.
 struct Result {
   std::vector<HistoryRow> history;  ///< the first row is the initial state
-  double peak_stress = 0;           ///< largest stress of the history [Pa]
-  double peak_strain = 0;           ///< platen strain at the peak [-]
+  /// Largest stress of the history [Pa]. Of platens whose imbalance is above `balanced`, the lesser reaction
+  /// counts: what the greater one has beyond it moves the specimen, and does not pass through it.
+  double peak_stress = 0;
+  double peak_strain = 0;  ///< platen strain at the peak [-]
   /// Platen strain at which the point of a pixel failed [-]; NaN = it did not fail. With failure_mode it
   /// gives the damage at any strain. On a path that snaps back it is the largest strain until then.
   PixelField<float> failure_strain;

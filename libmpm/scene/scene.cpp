@@ -203,6 +203,26 @@ void check_solver(Faults& faults, const Scene& scene) {
   faults.require(scene.frames >= 0, "output.frames", std::to_string(scene.frames), "must be >= 0");
 }
 
+/// Before a platen that outruns the wave it sends, the specimen would be strained by more than its own size.
+void check_velocity(Faults& faults, const Scene& scene) {
+  if (scene.method == SolverMethod::quasi_static || scene.loading.direction == Direction::none) return;
+  const std::array<bool, 256> used = labels_in_use(scene);
+  const Phase* slowest = nullptr;
+  const auto speed = [&](const Phase& phase) {
+    return std::sqrt(bar_modulus(phase, scene.plane) / phase.density);
+  };
+  for (std::size_t label = 0; label < scene.phases.size(); ++label) {
+    const auto& phase = scene.phases[label];
+    if (used[label] && phase && (slowest == nullptr || speed(*phase) < speed(*slowest))) slowest = &*phase;
+  }
+  if (slowest == nullptr) return;
+  faults.require(scene.loading.velocity < speed(*slowest), "loading.velocity",
+                 text(scene.loading.velocity, "m/s"),
+                 "must be below " + text(speed(*slowest), "m/s") + ", the speed of a wave in " +
+                     slowest->name + ", which no platen outruns",
+                 "load more slowly");
+}
+
 /// What no specimen is needed for.
 void check_settings(Faults& faults, const Scene& scene) {
   check_loading(faults, scene.loading);
@@ -220,6 +240,7 @@ std::vector<Error> faults(const Scene& scene) {
   check_picture(faults, scene);
   check_phases(faults, scene);
   check_settings(faults, scene);
+  if (faults.none()) check_velocity(faults, scene);
   return std::move(faults).found();
 }
 

@@ -79,7 +79,8 @@ struct ExtraPoint {
 struct Loading {
   Direction direction = Direction::tension;
   double velocity = 0.05;  ///< speed of the top platen [m/s], > 0
-  double ramp_time = -1;   ///< time from rest to full velocity [s]; < 0 = two transits of the slowest wave
+  double ramp_time =
+      -1;  ///< time from rest to full velocity [s]; < 0 = two transits of the slowest wave, see Plan
   Platen platen = Platen::smooth;
   LoadingPath path = LoadingPath::strain;  ///< quasi-static
   double stop_strain = 4e-4;               ///< platen displacement over height at which the run ends [-], > 0

@@ -26,6 +26,25 @@ std::vector<const Phase*> phases_present(const Scene& scene) {
   return present;
 }
 
+/// Time that a wave takes along a bar as long as the longer side of the specimen, free sideways and with the
+/// mean compliance and the mean density of its points [s]. It sets the slowest period of the specimen. The
+/// wave of the time step, which cannot strain sideways, tells nothing of that: its speed has no limit as
+/// Poisson's ratio nears 1/2.
+double transit_time(const Scene& scene) {
+  std::array<std::int64_t, 256> points{};
+  for (const auto label : scene.labels.reshaped()) ++points[label];
+  for (const auto& point : scene.extra_points) ++points[point.phase];
+  double all = 0, compliance = 0, density = 0;
+  for (std::size_t label = 0; label < scene.phases.size(); ++label) {
+    if (!scene.phases[label]) continue;
+    const auto count = static_cast<double>(points[label]);
+    all += count;
+    compliance += count / bar_modulus(*scene.phases[label], scene.plane);
+    density += count * scene.phases[label]->density;
+  }
+  return std::max(scene.width(), scene.height()) * std::sqrt(compliance / all * (density / all));
+}
+
 kernels::Check check_needed(const std::vector<const Phase*>& phases) {
   const auto any = [&](auto property) { return std::any_of(phases.begin(), phases.end(), property); };
   if (any([](const Phase* phase) { return phase->can_shear(); })) return kernels::Check::tension_and_shear;
@@ -209,7 +228,9 @@ Plan plan(const Scene& scene) {
     slowest = std::min(slowest, speed);
   }
   plan.dt = scene.cfl * damped_share(scene.local_damping) * plan.cell_size / plan.wave_speed;
-  plan.ramp_time = scene.loading.ramp_time < 0 ? 2 * scene.height() / slowest : scene.loading.ramp_time;
+  plan.transit_time = transit_time(scene);
+  plan.ramp_time = scene.loading.ramp_time < 0 ? 2 * std::max(plan.transit_time, scene.height() / slowest)
+                                               : scene.loading.ramp_time;
   plan.features = features_needed(scene, phases);
   plan.poisson = phases.front()->poisson;
   if (scene.kinematics != Kinematics::small_strain)

@@ -26,6 +26,7 @@ struct Plan {
   double cell_size = 0;            ///< [m]
   double dt = 0;                   ///< [s]
   double wave_speed = 0;           ///< of the fastest phase present [m/s]
+  double transit_time = 0;         ///< of a wave along a bar, through the longer side of the specimen [s]
   double ramp_time = 0;            ///< [s]
   int threads = 1;                 ///< that share the rows
   std::int64_t steps = 0;          ///< to stop_strain or the end of the duration, with this time step

@@ -13,7 +13,9 @@ namespace mpm {
   const double scaled = stress * scale;
   if (!(scaled < static_cast<double>(kernels::unreachable))) return kernels::unreachable;
   const auto rounded = static_cast<float>(scaled);
-  return static_cast<double>(rounded) > scaled ? std::nextafterf(rounded, 0.0F) : rounded;
+  // One that was stored before, and came back through its scale, keeps its bits.
+  constexpr double way_back = 1 + 1e-15;
+  return static_cast<double>(rounded) > way_back * scaled ? std::nextafterf(rounded, 0.0F) : rounded;
 }
 
 }  // namespace mpm

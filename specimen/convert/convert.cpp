@@ -1,6 +1,7 @@
 #include "specimen/convert/convert.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "specimen/body/error.hpp"
@@ -107,15 +108,47 @@ void separate_grains(Sorted& sorted, const ConvertOptions& o, ConvertReport& rep
   report.notes.push_back("split " + counted(before, "aggregate") + " at their necks into " + grouped(after));
 }
 
+using Shares = std::array<double, 256>;
+
+/// Of the phases in a raster [-].
+Shares shares_of(const Raster<Cell>& cells) {
+  Shares shares{};
+  for (const Cell cell : cells.data) shares[phase_of(cell)] += 1.0 / static_cast<double>(cells.size());
+  return shares;
+}
+
+/// What the new pixels did to the phases.
+void note_shares(const Shares& before, const Sorted& sorted, double pixel_size, ConvertReport& report) {
+  const Shares after = shares_of(sorted.cells);
+  std::string changes, thin;
+  for (std::size_t label = 0; label < sorted.phases.size(); ++label) {
+    if (before[label] == 0 && after[label] == 0) continue;
+    changes += (changes.empty() ? "" : ", ") + sorted.phases[label] + " " + share_text(before[label], 1) +
+               " -> " + share_text(after[label], 1);
+    if (label != phase::itz && after[label] < 0.9 * before[label] && before[label] > 0.001)
+      if (label != phase::mortar || before[phase::itz] == 0)
+        thin += (thin.empty() ? "" : ", ") + sorted.phases[label];
+  }
+  report.notes.push_back("shares of the area in the picture and in the mask: " + changes);
+  if (before[phase::itz] > 0)
+    report.notes.push_back("the ITZ was drawn anew along the aggregate, one pixel of " +
+                           length_text(pixel_size) + " thick");
+  if (!thin.empty())
+    report.notes.push_back("pixels of " + length_text(pixel_size) + " are too large for " + thin +
+                           ", which lost more than a tenth of its area; ask for more pixels");
+}
+
 /// Bring the cells to the pixels of the mask.   @return the pixel size [m].
 double resample(Sorted& sorted, const Picture& picture, const ConvertOptions& o, double source_pixel,
                 ConvertReport& report) {
   if (o.pixels == 0) return source_pixel;
   const Resampling to = choose_mask_size(picture.rows(), picture.cols(), sorted.factor, o.pixels);
+  const Shares before = shares_of(sorted.cells);
   sorted.cells = resampled(sorted.cells, to);
   report.notes.push_back("resampled " + grouped(picture.cols()) + " x " + grouped(picture.rows()) +
                          " pixels to " + grouped(to.cols) + " x " + grouped(to.rows) +
                          (to.cols > to.source_cols ? " by the nearest" : " by majority"));
+  if (to.cols < to.source_cols) note_shares(before, sorted, source_pixel * to.ratio(), report);
   const double left_out = picture.rows() - to.rows * to.ratio();
   if (left_out > 0.01)
     report.notes.push_back("omitted " + short_number(left_out) +

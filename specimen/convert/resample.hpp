@@ -20,7 +20,10 @@ struct Resampling {
 [[nodiscard]] Resampling choose_mask_size(int source_rows, int source_cols, int factor, int pixels);
 
 /// Each pixel of the mask gets the phase that covers most of it (the lower label if equal), and for aggregate
-/// the grain that covers most of it. If the mask has more pixels than the picture: the nearest pixel.
+/// the grain that covers most of it; of the pixels that are about half aggregate as many are as keep its
+/// area. An ITZ, where the picture has one, is drawn anew: the mortar along the edges of the aggregate
+/// becomes ITZ, one pixel thick, where there was some. If the mask has more pixels than the picture: the
+/// nearest pixel.
 [[nodiscard]] Raster<Cell> resampled(const Raster<Cell>& cells, const Resampling& to);
 
 }  // namespace specimen

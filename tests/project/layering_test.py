@@ -53,7 +53,7 @@ rooms = {
 # Rooms of the program that look behind what the libraries install, and where.
 sees_inside = {
     "apps/system": "libmpm/kernels libmpm/solver",                   # doctor: instruction sets, idle cores
-    "apps/run": "libmpm/solver",                                     # the plan tells the time step
+    "apps/run": "libmpm/solver specimen/convert",                    # the time step; pixels twice as large
     "apps/command": "libmpm/kernels libmpm/solver libmpm/files specimen/picture",  # scene check and doctor
     "apps/bench": "libmpm/kernels libmpm/material libmpm/solver libmpm/solver/lattice libmpm/solver/moving libmpm/problems",
     "apps/python": "specimen/picture",                               # pictures that come as arrays

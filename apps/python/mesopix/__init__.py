@@ -92,7 +92,8 @@ def simulate(
     overwrite: write into a folder that is not empty.
     estimate_error: add to the summary how wrong the peak may be, from runs at another rate, step, precision and pixel
         size.
-    tolerance: choose the rate, the step and the precision that keep the error of the peak stress below this [-].
+    tolerance: choose the rate, the step and the precision that keep the error of the peak stress below this [-]. Raises
+        Error where no choice does.
     progress: is given a Progress at each row of the history; where it raises StopIteration the run ends, and what was
         computed is returned, as SciPy does.
     options: settings by their short names, see below.

@@ -66,10 +66,11 @@ bool LatticeSolver<Real>::fail_point(Band& band, int row, int plane, int cell, d
   const PointState before = read_point(points_, at, scene_, plan_, kind);
   const Response response = respond(before, elastic.now, law_);
   if (!response.changed) return false;
-  row_released_[static_cast<std::size_t>(row)] +=
-      kind.share * (released_energy(before, response.point, elastic) +
-                    released_bending(before, response.point, row, cell));
   write_point(points_, at, scene_, plan_, kind, response.point);
+  // What is stored is what carries from now on, rounded.
+  const PointState after = read_point(points_, at, scene_, plan_, kind);
+  row_released_[static_cast<std::size_t>(row)] +=
+      kind.share * (released_energy(before, after, elastic) + released_bending(before, after, row, cell));
   count_dead(band, before, response.point);
   if (response.failure != FailureMode::none) {
     count(band, response.failure);

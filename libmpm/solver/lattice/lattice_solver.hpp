@@ -31,6 +31,18 @@ class LatticeSolver {
   /// is not a number. Returns the ledger of the last step.
   [[nodiscard]] Ledger advance(std::int64_t steps);
 
+  /// Change the velocity of every node between the platens.
+  /// @param change  called with its place at rest from the lower left corner, and its velocity: x, y [m],
+  /// vx&, vy& [m/s].
+  template <class Change>
+  void kick(const Change& change) {
+    for (int row = 1; row + 1 < grid_.rows; ++row)
+      for (int col = 0; col < grid_.cols; ++col) {
+        const auto at = static_cast<std::size_t>(grid_.at(row, col));
+        change(col * plan_.cell_size, row * plan_.cell_size, grid_.vx[at], grid_.vy[at]);
+      }
+  }
+
   [[nodiscard]] std::int64_t steps() const { return clock_.step; }
   /// The state that a step begins with is the one it reports, so the last step is one past the strain asked
   /// for.

@@ -56,16 +56,16 @@ void MovingSolver<Real>::fail_point(Band& band, const Slot& slot) {
   const Response response = respond(before, elastic, law_);
   if (!response.changed) return;
 
-  const auto power = [&](const PointState& point) {
-    return stress_power(*point.phase, scene_.plane, carried_stress(point, elastic, law_), elastic);
-  };
-  row_released_[static_cast<std::size_t>(slot.row)] +=
-      0.5 * (power(before) - power(response.point)) *
-      static_cast<double>(points_.value(slot, moving::volume));
   write_state(response.point, &points_.value(slot, 0), points_.lanes());
   const double share = response.point.kept / before.kept;
   for (const int field : {moving::sxx, moving::syy, moving::sxy, moving::lame, moving::shear})
     points_.value(slot, field) *= static_cast<Real>(share);
+  const auto power = [&](const PointState& point) {
+    return stress_power(*point.phase, scene_.plane, carried_stress(point, elastic, law_), elastic);
+  };
+  row_released_[static_cast<std::size_t>(slot.row)] +=
+      0.5 * (power(before) - power(read_state(slot, origin))) *
+      static_cast<double>(points_.value(slot, moving::volume));
   if (response.point.kept == 0) ++band.failed[origin.label];
   if (response.failure == FailureMode::none) return;
   ++(response.failure == FailureMode::tension ? band.tension_failures : band.shear_failures);

@@ -45,9 +45,17 @@ TEST(KnownProblems, AllMethodsComeToTheirEnd) {
 }
 
 TEST(KnownProblems, TheBarShowsWhatPicDampsAndTheOrderOfTheOthers) {
-  const auto results = study_errors({shortened(bar_problem(), 2)}, {});
+  const auto results = study_errors({shortened(bar_problem(), 3)}, {});
+  EXPECT_NEAR(method_named(results[0], "pixel cells").order, 2, 0.05);
   EXPECT_GT(method_named(results[0], "GIMP MUSL FLIP").order, 1.7);
   EXPECT_GT(method_named(results[0], "GIMP MUSL PIC").samples[1].error, 0.5);
+}
+
+TEST(KnownProblems, PixelCellsConvergeAtTheInclusion) {
+  Problem problem = inclusion_problem();
+  std::erase_if(problem.methods, [](const Method& method) { return method.name != "pixel cells"; });
+  const auto results = study_errors({problem}, {});
+  EXPECT_GT(method_named(results[0], "pixel cells").order, 0.9);
 }
 
 TEST(KnownProblems, SinglePrecisionIsSingle) {

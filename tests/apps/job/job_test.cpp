@@ -1,5 +1,6 @@
 #include "apps/job/job.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "apps/text/complaint.hpp"
@@ -127,6 +128,39 @@ TEST(BuildScene, RefusesASpecimenInTwoParts) {
   EXPECT_EQ(complaint_about(parts, settings), "accepted");
   // Cells that share a corner hold together; a cell may be void in part.
   EXPECT_EQ(complaint_about(specimen_of({"0022", "0022", "2200", "2200", "0200", "2200"}), {}), "accepted");
+}
+
+// A cell of 2 x 2 pixels has nodes on both sides of a void that is thinner than it.
+TEST(BuildScene, RefusesAVoidWithinCells) {
+  for (const auto method : {mpm::SolverMethod::explicit_, mpm::SolverMethod::quasi_static}) {
+    app::Settings settings;
+    settings.scene.method = method;
+    settings.scene.pixel_cells = false;
+    settings.scene.points_per_cell = 2;
+    EXPECT_THAT(complaint_about(specimen_of({"2222", "2222", "2222", "0000", "2222", "2222"}), settings),
+                testing::StartsWith("specimen: void from side to side, 3 mm below its top edge"));
+    EXPECT_THAT(complaint_about(specimen_of({"2222", "2222", "2200", "0022", "2222", "2222"}), settings),
+                "accepted");
+  }
+}
+
+TEST(BuildScene, RefusesPartsThatCannotMeet) {
+  app::Settings settings;
+  settings.scene.kinematics = mpm::Kinematics::moving;
+  settings.scene.loading.direction = mpm::Direction::compression;
+  settings.scene.pixel_cells = false;
+  settings.scene.points_per_cell = 2;
+  const specimen::Specimen far =
+      specimen_of({"2222", "2222", "0000", "0000", "0000", "0000", "2222", "2222"});
+  EXPECT_THAT(complaint_about(far, settings), testing::StartsWith("specimen: void from side to side, 2 mm"));
+  settings.scene.loading.stop_strain = 0.5;
+  EXPECT_EQ(complaint_about(far, settings), "accepted");
+  const app::Job job = app::make_job(settings, {far, {}, {}});
+  ASSERT_EQ(job.notes.size(), 1U);
+  EXPECT_EQ(
+      job.notes[0],
+      "the specimen is in parts, with void from side to side, 2 mm below its top edge: nothing is carried "
+      "from platen to platen until they meet; the least gap is 4 mm, and the platen moves by 4 mm");
 }
 
 TEST(BuildScene, LetsASpecimenWithoutPlatensFlyAnywhereButNotRest) {

@@ -156,6 +156,20 @@ Phase soft_mortar() {
 
 // The answer is known in closed form: the curve of the softening while strain is new, a straight line to the
 // origin and back while it is not.
+// A point that stands at its curve, but for the rounding of its strength to 32 bits, stays as it is.
+TEST(Respond, LosesNothingByRounding) {
+  Pull pull{{.closure = mpm::CrackClosure::unilateral, .band = 1e-3}, mpm::intact_point(soft_mortar(), 1)};
+  const Phase phase = soft_mortar();
+  pull.point.phase = &phase;
+  const mpm::Softening curve = mpm::softening(phase, Plane::strain, 6e6, 1e-3);
+  (void)pull.to(curve.onset + 0.5 * curve.scale);
+  pull.point.strength *= 1 - 1e-7;
+  const Stress<double> here{0, 20e9 / (1 - 0.04) * pull.strain, 0};
+  EXPECT_FALSE(mpm::respond(pull.point, here, pull.law).changed);
+  pull.point.strength *= 1 - 1e-5;
+  EXPECT_TRUE(mpm::respond(pull.point, here, pull.law).changed);
+}
+
 TEST(Respond, SoftensAndUnloadsToTheOrigin) {
   const Phase phase = soft_mortar();
   const mpm::Softening curve = mpm::softening(phase, Plane::strain, 6e6, 1e-3);

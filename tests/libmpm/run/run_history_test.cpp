@@ -41,6 +41,40 @@ mpm::Plan too_long(const mpm::Scene& scene, double factor) {
   return plan;
 }
 
+mpm::HistoryRow row_of(double strain, double top, double bottom) {
+  mpm::HistoryRow row;
+  row.strain = strain;
+  row.stress_top = top;
+  row.stress_bottom = bottom;
+  row.stress = 0.5 * (top + bottom);
+  return row;
+}
+
+TEST(PlatenImbalance, IsTheShareThatDoesNotPassThrough) {
+  EXPECT_EQ(mpm::platen_imbalance(row_of(0, 0, 0)), 0);
+  EXPECT_EQ(mpm::platen_imbalance(row_of(0, 3, 3)), 0);
+  EXPECT_EQ(mpm::platen_imbalance(row_of(0, 3, 1)), 0.5);
+  EXPECT_EQ(mpm::platen_imbalance(row_of(0, 3, 0)), 1);
+  EXPECT_EQ(mpm::platen_imbalance(row_of(0, 3, -3)), 1);
+}
+
+// The first wave presses one platen alone; a row near balance counts by the mean of both, as it always did.
+TEST(AddRow, TakesNoWaveForThePeak) {
+  mpm::Result result;
+  for (const auto& row : {row_of(0, 0, 0), row_of(1e-6, 90, 0), row_of(1e-4, 10.5, 9.5), row_of(2e-4, 30, 2)})
+    mpm::add_row(result, row, mpm::Direction::tension);
+  EXPECT_EQ(result.peak_stress, 10);
+  EXPECT_EQ(result.peak_strain, 1e-4);
+  mpm::add_row(result, row_of(3e-4, 30, 12), mpm::Direction::tension);
+  EXPECT_EQ(result.peak_stress, 12) << "what passes through";
+}
+
+TEST(AddRow, TakesAnyStressOnAWallThatIsHit) {
+  mpm::Result result;
+  mpm::add_row(result, row_of(0, 0, 90), mpm::Direction::none);
+  EXPECT_EQ(result.peak_stress, 45);
+}
+
 TEST(DivergenceText, SaysWhatWhenWhereWhyAndTheCure) {
   mpm::Scene scene = samples::mortar_block(20, 20);
   scene.cfl = 1;

@@ -27,6 +27,22 @@ TEST(Validate, AcceptsTheSample) {
   EXPECT_EQ(message_after([](Scene&) {}), "valid");
 }
 
+// Before a platen that is faster than waves, strain would exceed 1. The bar wave of mortar: 2946.3 m/s.
+TEST(Validate, RefusesAPlatenThatOutrunsItsWave) {
+  const auto at = [](double velocity, mpm::SolverMethod method = mpm::SolverMethod::explicit_) {
+    return message_after([=](Scene& s) {
+      s.loading.velocity = velocity;
+      s.method = method;
+    });
+  };
+  EXPECT_EQ(at(1e30),
+            "loading.velocity: 1e+30 m/s; must be below 2946.28 m/s, the speed of a wave in mortar, which no "
+            "platen outruns; load more slowly");
+  EXPECT_EQ(at(2940), "valid");
+  EXPECT_EQ(at(1e30, mpm::SolverMethod::quasi_static), "valid") << "there is no rate";
+  EXPECT_NE(message_after([](Scene& s) { s.phases[samples::mortar]->density = 1e14; }), "valid");
+}
+
 TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
   EXPECT_EQ(message_after([](Scene& s) { s.labels.setConstant(5, 4, 2); }),
             "specimen.labels: 4 x 5 pixels; width and height must be whole numbers of cells of 2 x 2 pixels; "

@@ -114,11 +114,31 @@ TEST(Plan, RampsOverTwoTransitsOfTheSlowestWaveUnlessTold) {
   scene.labels(0, 2) = samples::itz;
   scene.labels(0, 1) = samples::aggregate;
   scene.phases[samples::itz]->young = 60e9;
-  EXPECT_NEAR(mpm::plan(scene).ramp_time,
-              2 * 20e-3 / mpm::wave_speed(*scene.phases[samples::mortar], scene.plane), 1e-15);
+  EXPECT_NEAR(mpm::plan(scene).ramp_time, 2 * mpm::plan(scene).transit_time, 1e-15);
   EXPECT_NEAR(mpm::plan(scene).wave_speed, mpm::wave_speed(*scene.phases[samples::itz], scene.plane), 1e-9);
   scene.loading.ramp_time = 3e-5;
   EXPECT_EQ(mpm::plan(scene).ramp_time, 3e-5);
+}
+
+// What cannot change its volume carries a wave that cannot strain sideways at no finite speed; the specimen
+// answers no faster for that.
+TEST(Plan, RampsAsLongAsTheSpecimenTakesToAnswer) {
+  mpm::Scene scene = samples::mortar_block(40, 40);
+  const double usual = mpm::plan(scene).ramp_time;
+  EXPECT_NEAR(usual, 2 * 20e-3 / std::sqrt(20e9 / (1 - 0.04) / 2400), 1e-15);
+  scene.phases[samples::mortar]->poisson = 0.4999;
+  EXPECT_NEAR(mpm::plan(scene).ramp_time, 2 * 20e-3 / std::sqrt(20e9 / (1 - 0.4999 * 0.4999) / 2400), 1e-15);
+  EXPECT_GT(mpm::plan(scene).ramp_time, 0.85 * usual);
+  scene = samples::mortar_block(40, 400);
+  EXPECT_NEAR(mpm::plan(scene).ramp_time, 10 * usual, 1e-14) << "a wide specimen swings sideways";
+}
+
+// Layers of equal thickness in series: their compliances add up.
+TEST(Plan, TransitsInASoftLayerAreSlow) {
+  mpm::Scene scene = samples::mortar_block(40, 40);
+  scene.labels.topRows(20).setConstant(samples::aggregate);
+  const double stiff = 40e9 / (1 - 0.04), soft = 20e9 / (1 - 0.04);
+  EXPECT_NEAR(mpm::plan(scene).transit_time, 20e-3 * std::sqrt(2400 * 0.5 * (1 / stiff + 1 / soft)), 1e-15);
 }
 
 TEST(Plan, AnEndlessRunIsRefused) {

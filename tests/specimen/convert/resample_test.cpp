@@ -49,6 +49,54 @@ TEST(Resample, AreasAreKeptOnAverage) {
   EXPECT_NEAR(static_cast<double>(after) * scale / static_cast<double>(before), 1, 0.005);
 }
 
+/// Discs of aggregate in mortar, each with a ring of ITZ.
+Raster<Cell> discs_with_itz(int size, double thickness) {
+  Raster<Cell> cells(size, size, specimen::phase::mortar);
+  for (const auto& [x, y, radius] : {std::tuple{0.3, 0.3, 0.19}, {0.7, 0.65, 0.2}, {0.25, 0.75, 0.12}}) {
+    specimen_test::draw_disc(cells, y * size, x * size, radius * size + thickness,
+                             Cell{specimen::phase::itz});
+    specimen_test::draw_disc(cells, y * size, x * size, radius * size, Cell{specimen::phase::aggregate});
+  }
+  return cells;
+}
+
+double share_of(const Raster<Cell>& cells, std::uint8_t phase) {
+  double count = 0;
+  for (const Cell cell : cells.data) count += specimen::phase_of(cell) == phase ? 1 : 0;
+  return count / static_cast<double>(cells.size());
+}
+
+TEST(Resample, AnItzThinnerThanAPixelStaysARing) {
+  const Raster<Cell> cells = discs_with_itz(400, 1.2);
+  const double aggregate = share_of(cells, specimen::phase::aggregate);
+  for (const int pixels : {300, 200, 100, 50}) {
+    const Raster<Cell> mask = resampled(cells, choose_mask_size(400, 400, 1, pixels));
+    EXPECT_NEAR(share_of(mask, specimen::phase::aggregate), aggregate, 0.001) << pixels;
+    int open = 0;  // edges between aggregate and mortar
+    for (int r = 0; r < mask.rows; ++r)
+      for (int c = 0; c + 1 < mask.cols; ++c)
+        open += specimen::is_aggregate(mask(r, c)) && mask(r, c + 1) == specimen::phase::mortar;
+    EXPECT_EQ(open, 0) << pixels;
+    EXPECT_GT(share_of(mask, specimen::phase::itz), share_of(cells, specimen::phase::itz)) << pixels;
+  }
+}
+
+TEST(Resample, AThickItzKeepsItsArea) {
+  const Raster<Cell> cells = discs_with_itz(400, 16);
+  const Raster<Cell> mask = resampled(cells, choose_mask_size(400, 400, 1, 200));
+  EXPECT_NEAR(share_of(mask, specimen::phase::itz), share_of(cells, specimen::phase::itz), 0.01);
+}
+
+TEST(Resample, DrawsNoItzWhereThePictureHadNone) {
+  Raster<Cell> cells = discs_with_itz(400, 1.2);
+  for (int r = 0; r < 200; ++r)
+    for (int c = 0; c < 400; ++c)
+      if (cells(r, c) == specimen::phase::itz) cells(r, c) = specimen::phase::mortar;
+  const Raster<Cell> mask = resampled(cells, choose_mask_size(400, 400, 1, 100));
+  for (int r = 0; r < 48; ++r)
+    for (int c = 0; c < 100; ++c) EXPECT_NE(mask(r, c), specimen::phase::itz);
+}
+
 TEST(Resample, BlocksOfAveragedPixelsStandWhereTheyWere) {
   // 7 x 8 picture pixels in cells of 3: the last column of cells is one pixel wide, the last row two.
   Raster<Cell> cells(3, 3, specimen::phase::mortar);

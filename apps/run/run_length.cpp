@@ -1,0 +1,59 @@
+#include "apps/run/run_length.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "libmpm/run/simulate.hpp"
+#include "libmpm/solver/plan.hpp"
+
+namespace app {
+namespace {
+
+constexpr double trial = 0.3;                  ///< wall time to measure a speed in [s]
+constexpr double long_time = 60;               ///< wall time that is said beforehand [s]
+constexpr std::int64_t many_steps = 500'000;   ///< steps that are said beforehand
+constexpr double certainly_short = 1e9;        ///< point-updates that no machine takes a minute for
+constexpr std::int64_t most_rows = 1'000'000;  ///< of the history of a trial
+constexpr double updates_of_a_row = 1e7;       ///< point-updates between two looks at the clock
+constexpr double usual_speed = 1e8;            ///< point-updates per second, where none can be measured
+
+/// Wall time per step [s], from the first of them.
+double time_of_a_step(const mpm::Scene& scene, const mpm::Plan& plan, std::int64_t points) {
+  const double rows = std::min(static_cast<double>(plan.steps),
+                               std::ceil(static_cast<double>(plan.steps * points) / updates_of_a_row));
+  if (rows > static_cast<double>(100 * most_rows)) return static_cast<double>(points) / usual_speed;
+  mpm::Scene start = scene;
+  start.frames = 0;
+  start.history_rows = static_cast<int>(std::clamp(rows, 10.0, static_cast<double>(most_rows)));
+  const auto goes_on = [](const mpm::Progress& progress) { return progress.wall_time < trial; };
+  const mpm::Result result = mpm::simulate(start, {.observer = goes_on});
+  return result.wall_time / static_cast<double>(std::max<std::int64_t>(result.steps, 1));
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 100 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 48 * 3600) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.0f} days", seconds / 86400);
+}
+
+std::string announcement(const mpm::Scene& scene) try {
+  if (scene.method == mpm::SolverMethod::quasi_static) return {};
+  const mpm::Plan plan = mpm::plan(scene);
+  const std::int64_t points = mpm::count_points(scene);
+  if (plan.steps < many_steps &&
+      static_cast<double>(plan.steps) * static_cast<double>(points) < certainly_short)
+    return {};
+  const double expected = static_cast<double>(plan.steps) * time_of_a_step(scene, plan, points);
+  if (plan.steps < many_steps && expected < long_time) return {};
+  return fmt::format("a run of {} points and {} steps of {:.3g} s, which takes about {} here", points,
+                     plan.steps, plan.dt, duration_text(expected));
+} catch (const mpm::Diverged&) {  // the run itself will say it
+  return {};
+}
+
+}  // namespace app

@@ -1,0 +1,42 @@
+#include "apps/run/run_length.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace run_length_test {
+
+using testing::ContainsRegex;
+
+mpm::Scene block(double velocity) {
+  mpm::Scene scene;
+  scene.labels.setConstant(8, 8, 1);
+  scene.pixel_size = 1e-3;
+  scene.pixel_cells = false;
+  scene.points_per_cell = 2;
+  scene.phases = {std::nullopt, mpm::concrete_phases()[0]};
+  scene.loading.velocity = velocity;
+  scene.threads = 1;
+  return scene;
+}
+
+TEST(RunLength, IsSaidOfHalfAMillionSteps) {
+  EXPECT_THAT(app::announcement(block(1e-5)),
+              ContainsRegex("a run of 64 points and [0-9]+ steps of .* s, which takes about .* here"));
+}
+
+TEST(RunLength, IsNotSaidOfAShortRun) { EXPECT_EQ(app::announcement(block(0.05)), ""); }
+
+TEST(RunLength, IsNotSaidOfEquilibriumWhichHasNoSteps) {
+  mpm::Scene scene = block(1e-5);
+  scene.method = mpm::SolverMethod::quasi_static;
+  EXPECT_EQ(app::announcement(scene), "");
+}
+
+TEST(RunLength, HasAUnitThatFits) {
+  EXPECT_EQ(app::duration_text(42.4), "42 s");
+  EXPECT_EQ(app::duration_text(720), "12 min");
+  EXPECT_EQ(app::duration_text(12000), "3.3 h");
+  EXPECT_EQ(app::duration_text(5 * 86400), "5 days");
+}
+
+}  // namespace run_length_test
