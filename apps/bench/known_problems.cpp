@@ -147,8 +147,8 @@ Problem manufactured_problem() {
       "u = A sin 2πX sin cπt with the body force that it needs, A = 0.05 of the width",
       "Points cross up to six cells: linear functions stop to converge, GIMP and B-splines go on. FLIP keeps "
       "the noise that points make as they cross, and MUSL amplifies it, the more the longer the step: at "
-      "CFL 0.4 GIMP MUSL FLIP diverges from 1/64 on, so that the step is half as long here. APIC and USL "
-      "damp the noise, and converge at either step. USF is left out, because the body force comes as a kick "
+      "CFL 0.4 GIMP MUSL FLIP diverges from 1/64 on, so that the step is half as long here. APIC damps "
+      "the noise, and converges at either step. USF is left out, because the body force comes as a kick "
       "before the step.",
       {},
       over_cells(ways, {8, 16, 32, 64}, [](const Recipe& way, int cells) {

@@ -37,16 +37,24 @@ constexpr const char* simulate_footer =
     "  mesopix simulate --resume run\n"
     "  mesopix simulate data/two_aggregates.toml --frames 40";
 
-/// Gives the job the rate, step and precision that the tolerance asks for.   @return their error.
+/// "at 0.1 m/s, CFL 0.5 and double precision".
+std::string choice_text(const mpm::Scene& scene) {
+  if (scene.method == mpm::SolverMethod::quasi_static)
+    return fmt::format("by no rate, but without inertia (--method quasi_static --event-tolerance {})",
+                       output::concise(scene.event_tolerance, 4));
+  return fmt::format("at {} m/s, CFL {} and {} precision", output::concise(scene.loading.velocity, 4),
+                     output::concise(scene.cfl, 4),
+                     scene.precision == mpm::Precision::single ? "single" : "double");
+}
+
+/// Gives the job the rate, step and precision that the tolerance asks for, or the method without inertia.
+/// @return their error.
 output::ErrorEstimate meet(double tolerance, Job& job, Console& console, const InterruptGuard& guard) {
   const Tolerated found = meet_tolerance(job.scene, tolerance, second_run(console, guard));
   require_met(found, tolerance, "--tolerance");
   adopt(found, job);
-  console.say(
-      fmt::format("a tolerance of {} is met at {} m/s, CFL {} and {} precision, found in {:.2f} s",
-                  output::concise(100 * tolerance) + " %", output::concise(found.scene.loading.velocity, 4),
-                  output::concise(found.scene.cfl, 4),
-                  found.scene.precision == mpm::Precision::single ? "single" : "double", found.wall_time));
+  console.say(fmt::format("a tolerance of {} % is met {}, found in {:.2f} s",
+                          output::concise(100 * tolerance), choice_text(found.scene), found.wall_time));
   return found.estimate;
 }
 

@@ -30,8 +30,8 @@ using Solve = std::function<mpm::Result(const mpm::Scene&)>;
 
 /// What a tolerance asks for.
 struct Tolerated {
-  mpm::Scene scene;                ///< with its rate, step and precision
-  output::ErrorEstimate estimate;  ///< of rate, step and precision
+  mpm::Scene scene;                ///< with its rate, step and precision, or without inertia
+  output::ErrorEstimate estimate;  ///< of those, or of failures that happen at once
   double wall_time = 0;            ///< of all runs that led there [s]
   bool met = false;                ///< else the estimate is as small as was reached
 };
@@ -39,7 +39,7 @@ struct Tolerated {
 /// From a fast run in single precision with a step of 0.9 of the critical one, halve the loading rate until
 /// the peak is within half the tolerance of equilibrium, or where there is none until a line through the
 /// peaks of the last three is within it of its end at rest; then the step and the precision where the rest
-/// needs it.
+/// needs it. Where no rate is slow enough, the method without inertia takes its place.
 /// @pre the scene is explicit.   @param tolerance  of the peak stress [-], > 0.
 [[nodiscard]] Tolerated meet_tolerance(const mpm::Scene& scene, double tolerance, const Solve& solve);
 

@@ -48,11 +48,13 @@ output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, const Solve&
 
 void require_met(const Tolerated& found, double tolerance, const std::string& option) {
   if (found.met) return;
+  const bool at_rest = found.scene.method == mpm::SolverMethod::quasi_static;
+  const std::string best =
+      at_rest ? "without inertia" : "at " + output::concise(found.scene.loading.velocity, 4) + " m/s";
   throw Rejected(Exit::data, option, output::concise(100 * tolerance) + " %",
-                 "not met: at " + output::concise(found.scene.loading.velocity, 4) +
-                     " m/s the peak may still be wrong by " + output::percent(found.estimate.stress_error()),
-                 "choose solver.method = \"quasi_static\", which has no rate, or a larger tolerance; nothing "
-                 "was written");
+                 "not met: " + best + " the peak may still be wrong by " +
+                     output::percent(found.estimate.stress_error()),
+                 "choose a larger tolerance; nothing was written");
 }
 
 void adopt(const Tolerated& found, Job& job) {
@@ -60,6 +62,8 @@ void adopt(const Tolerated& found, Job& job) {
     scene->loading.velocity = found.scene.loading.velocity;
     scene->cfl = found.scene.cfl;
     scene->precision = found.scene.precision;
+    scene->method = found.scene.method;
+    scene->event_tolerance = found.scene.event_tolerance;
   }
 }
 
