@@ -9,6 +9,8 @@
 #include "apps/job/specimen_report.hpp"
 #include "apps/job/specimen_source.hpp"
 #include "apps/scene/input.hpp"
+#include "apps/text/complaint.hpp"
+#include "apps/text/text_parts.hpp"
 #include "specimen/convert/convert.hpp"
 
 namespace app {
@@ -62,7 +64,7 @@ class ConvertCommand : public SettingsCommand {
         output_.empty() ? std::filesystem::path(picture).filename().replace_extension(".h5").string()
                         : output_;
     check_output(output, picture);
-    const Prepared prepared = prepare_specimen(resolved.settings);
+    const Prepared prepared = prepare_or_show_ways(resolved.settings);
     auto figures = specimen_json(prepared.specimen, {});
     if (!reference_.empty())
       figures["intersection_over_union"] =
@@ -75,6 +77,28 @@ class ConvertCommand : public SettingsCommand {
   }
 
  private:
+  /// A map that can be read in two ways is not converted; the commands for both are shown.
+  Prepared prepare_or_show_ways(const Settings& settings) const {
+    try {
+      return prepare_specimen(settings);
+    } catch (const specimen::TwoReadings& two) {
+      std::string ways = "choose one of these:";
+      for (const std::string& phases : two.label_phases) ways += "\n  " + command_with(phases);
+      throw Rejected(Exit::data, two.field, two.value, two.allowed, ways);
+    }
+  }
+
+  /// This command once more, with the phases of the labels.
+  [[nodiscard]] std::string command_with(const std::string& label_phases) const {
+    std::string command = "mesopix convert " + shell_word(input_);
+    for (const Assignment& given : settings_.assignments())
+      if (given.key != "convert.label_phases" && given.field.starts_with("--"))
+        command += " " + given.field + " " + shell_word(given.written);
+    command += " " + option_name("label-phases") + " " + shell_word(label_phases);
+    if (!output_.empty()) command += " -o " + shell_word(output_);
+    return command;
+  }
+
   std::string input_;
   std::string reference_;
 };

@@ -60,8 +60,7 @@ std::string write_png(const SpecimenExport& wanted) {
 }
 
 std::string write_tif(const SpecimenExport& wanted) {
-  const specimen::LabelledMask& mask = wanted.specimen.mask;
-  specimen::write_imagej_tiff(wanted.path, mask.labels, mask.pixel_size);
+  specimen::write_imagej_tiff(wanted.path, wanted.specimen.mask);
   return way_back(wanted);
 }
 

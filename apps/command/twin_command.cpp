@@ -11,6 +11,7 @@
 #include "apps/system/terminal.hpp"
 #include "apps/twin/twin_folder.hpp"
 #include "apps/twin/twin_words.hpp"
+#include "specimen/describe/doubts.hpp"
 
 namespace app {
 namespace {
@@ -74,6 +75,7 @@ class TwinCommand : public SettingsCommand {
     console.locate = located_by(resolved.origins);
     settle_source(resolved.settings);
     Prepared prepared = prepare_specimen(resolved.settings);
+    for (const std::string& doubt : specimen::doubts_of(prepared.specimen)) console.warn(doubt);
     const specimen::ItzOptions itz =
         source_of(resolved.settings) == Source::file ? prepared.specimen.itz : resolved.settings.itz;
     const TwinTask task = make_twin_task(wish_, input_, resolved.settings, itz, std::move(prepared.specimen));

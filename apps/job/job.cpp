@@ -7,6 +7,7 @@
 
 #include "apps/text/complaint.hpp"
 #include "apps/text/words.hpp"
+#include "specimen/describe/doubts.hpp"
 
 namespace app {
 
@@ -268,6 +269,7 @@ Job make_job(Settings settings) {
 Job make_job(Settings settings, Console& console) {
   Prepared cells = prepare_cells(settings);
   for (const std::string& note : cells.notes) console.say("note: " + note);
+  for (const std::string& doubt : specimen::doubts_of(cells.specimen)) console.warn(doubt);
   const std::size_t told = cells.notes.size();
   Job job = make_job(std::move(settings), std::move(cells));
   for (std::size_t i = told; i < job.notes.size(); ++i) console.say("warning: " + job.notes[i]);

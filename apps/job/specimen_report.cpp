@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/text/words.hpp"
+#include "specimen/describe/doubts.hpp"
 #include "specimen/describe/statistics.hpp"
 
 namespace app {
@@ -118,6 +119,7 @@ Json specimen_json(const specimen::Specimen& specimen, const specimen::Grading& 
            {{"mode", mode_name(specimen.itz.mode)},
             {"thickness_m", specimen.itz.thickness > 0 ? specimen.itz.thickness : mask.pixel_size},
             {"rings", specimen.rings.size()}}},
+          {"warnings", specimen::doubts_of(specimen)},
           {"source",
            {{"from", specimen.provenance.source},
             {"sha256", specimen.provenance.sha256},

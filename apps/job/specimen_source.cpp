@@ -15,6 +15,7 @@
 #include "apps/text/version.hpp"
 #include "specimen/body/files.hpp"
 #include "specimen/convert/convert.hpp"
+#include "specimen/describe/doubts.hpp"
 #include "specimen/file/specimen_file.hpp"
 #include "specimen/pack/packing.hpp"
 #include "specimen/picture/picture.hpp"
@@ -147,13 +148,14 @@ std::vector<std::string> write_specimen_output(const std::string& path, const sp
   }
   specimen::write_specimen(path, specimen);
   const std::string picture = preview_path(path);
-  specimen::write_png(picture, specimen::preview(specimen.mask), specimen.mask.pixel_size);
+  specimen::write_preview(picture, specimen.mask);
   return {path, picture};
 }
 
 void report_specimen(Console& console, bool as_json, const Prepared& prepared, nlohmann::ordered_json figures,
                      const std::vector<std::string>& files) {
   for (const std::string& note : prepared.notes) console.say("note: " + note);
+  for (const std::string& doubt : specimen::doubts_of(prepared.specimen)) console.warn(doubt);
   if (as_json) {
     figures["notes"] = prepared.notes;
     figures["files"] = files;

@@ -91,8 +91,10 @@ std::string body_representation(const Body& body) {
 }
 
 py::bytes png(const Body& body) {
+  const specimen::LabelledMask& mask = body.specimen->mask;
   const specimen::Bytes bytes =
-      specimen::encode_png("", specimen::preview(body.specimen->mask), body.specimen->mask.pixel_size);
+      specimen::encode_png("", specimen::preview(mask), mask.pixel_size,
+                           specimen::own_words(specimen::Origin::preview, mask.phases));
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

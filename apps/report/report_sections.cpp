@@ -14,6 +14,7 @@
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"
 #include "apps/text/version.hpp"
+#include "specimen/describe/doubts.hpp"
 #include "specimen/picture/picture.hpp"
 
 namespace output {
@@ -185,8 +186,9 @@ std::string header_html(const RunRecord& record) {
 }
 
 std::string notes_section(const RunRecord& record) {
-  if (record.notes.empty()) return "";
-  return section("Notes", notes_list(record.notes));
+  const std::vector<std::string> doubts = specimen::doubts_of(record.specimen);
+  return (doubts.empty() ? "" : section("Warnings", notes_list(doubts))) +
+         (record.notes.empty() ? "" : section("Notes", notes_list(record.notes)));
 }
 
 std::string facts_part(const RunRecord& record) { return facts_table(run_facts(record)); }

@@ -9,6 +9,7 @@
 #include "apps/report/run_record.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/text/version.hpp"
+#include "specimen/describe/doubts.hpp"
 
 namespace {
 
@@ -146,6 +147,7 @@ json summary(const RunRecord& record) {
                           {"colour_file", output::deformed_name(true)}};
   if (!record.error_estimate.sources.empty()) all["error_estimate"] = estimate_of(record.error_estimate);
   all["notes"] = output::all_notes(record);
+  all["warnings"] = specimen::doubts_of(record.specimen);
   all["title"] = record.title;
   all["scene_hash"] = record.scene_hash;
   all["version"] = app::version();

@@ -35,7 +35,8 @@ void write_text(const fs::path& path, std::string_view text) { mpm::replace_file
 /// Magnified by a whole factor, so that small masks can be looked at.
 void write_picture(const fs::path& path, const specimen::Raster<specimen::Rgb>& picture, double pixel_size) {
   const int factor = output::file_magnification(picture.rows, picture.cols);
-  specimen::write_png(path.string(), output::magnified(picture, factor), pixel_size / factor);
+  specimen::write_png(path.string(), output::magnified(picture, factor), pixel_size / factor,
+                      specimen::Origin::drawing);
 }
 
 /// Of an earlier run in the same folder, which may have gone farther.
@@ -75,7 +76,7 @@ void write_end(const fs::path& folder, const RunRecord& record, Attempts& attemp
     }
     attempt([&] {
       specimen::write_png(path.string(), output::deformed_picture(mask, record.result, palette, fineness),
-                          mask.pixel_size / fineness);
+                          mask.pixel_size / fineness, specimen::Origin::drawing);
     });
   }
 }

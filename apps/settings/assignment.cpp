@@ -5,6 +5,7 @@
 #include <new>
 
 #include "apps/system/files.hpp"
+#include "apps/text/text_parts.hpp"
 #include "apps/text/words.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
@@ -33,6 +34,13 @@ Rejected unplaced(const std::exception_ptr& exception) {
     Complaint unscaled = complaint_of(error);
     unscaled.cure = "give " + option_name("pixel-size") + " 0.5mm or " + option_name("width") + " 150mm";
     return {Exit::data, unscaled};
+  } catch (const specimen::TwoReadings& error) {
+    Complaint two = complaint_of(error);
+    const auto choice = [](const std::string& phases) {
+      return option_name("label-phases") + " " + shell_word(phases);
+    };
+    two.cure = "give " + choice(error.label_phases.at(0)) + " or " + choice(error.label_phases.at(1));
+    return {Exit::data, two};
   } catch (const specimen::Error& error) {
     return {error.fault == specimen::Fault::write ? Exit::io : Exit::data, complaint_of(error)};
   } catch (const NotWritten& missing) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 
@@ -119,8 +120,25 @@ Value RectangleCodec::write(const specimen::Crop& crop) const {
   return list_of(numbers, std::identity());
 }
 
+namespace {
+
+/// "#ff8000", as notes write the colours of a map.
+bool is_colour(std::string_view text) {
+  constexpr std::size_t length = 7;
+  return text.size() == length && text.front() == '#' &&
+         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
+}
+
+std::optional<std::int64_t> colour_number(std::string_view text) {
+  std::int64_t number = 0;
+  std::from_chars(text.data() + 1, text.data() + text.size(), number, 16);
+  return number;
+}
+
+}  // namespace
+
 Form LabelNamesCodec::form() {
-  return list_form("LABEL:NAME,...", {.pattern = R"(^\s*[-+]?[0-9]+\s*:\s*\S)"});
+  return list_form("LABEL:NAME,...", {.pattern = R"(^\s*([-+]?[0-9]+|#[0-9a-fA-F]{6})\s*:\s*\S)"});
 }
 
 LabelNamesCodec::Names LabelNamesCodec::read(const Value& value) const {
@@ -128,7 +146,7 @@ LabelNamesCodec::Names LabelNamesCodec::read(const Value& value) const {
   for (const std::string& text :
        as_texts(value, "must be a list of labels and names, e.g. [\"0: void\", \"1: mortar\"]")) {
     const auto [label, phase] = cut_at(text, ":", label_name_form);
-    const auto number = whole_number(label);
+    const auto number = is_colour(label) ? colour_number(label) : whole_number(label);
     if (!number || phase.empty()) throw Mistake(quoted(text) + " does not fit", label_name_form);
     names.emplace_back(*number, phase);
   }

@@ -87,6 +87,11 @@ ChoiceCodec<specimen::Segmentation> segmentation() {
            {"kmeans", Segmentation::kmeans}}};
 }
 
+ChoiceCodec<specimen::Outside> outside() {
+  using specimen::Outside;
+  return {{{"auto", Outside::automatic}, {"void", Outside::void_}, {"none", Outside::none}}};
+}
+
 WordCodec channel() {
   return {{"gray", "red", "green", "blue", "hue", "saturation", "value", "l", "a", "b"}};
 }
@@ -114,6 +119,10 @@ std::vector<Field> scale_fields() {
             MEMBER(convert.width)),
       field("convert.crop", RectangleCodec{}, "pixels of the picture to keep; empty = all",
             MEMBER(convert.crop)),
+      field(
+          "convert.outside", outside(),
+          "what lies outside of a round or tilted specimen: auto, void = all that reaches the corners, none",
+          MEMBER(convert.outside)),
       field("convert.max_pixels", IntegerCodec<std::int64_t>{between(1, 2'000'000'000)},
             "of the picture; a larger one is refused before it is decoded", MEMBER(convert.max_pixels)),
       field("convert.pixels", IntegerCodec<>{between(1, 100000), Word{"auto", 0}},
@@ -146,7 +155,9 @@ std::vector<Field> itz_fields() {
   return {
       field("itz.mode", mode, "ITZ as pixels, as extra material points, or none", MEMBER(itz.mode)),
       field("itz.thickness", length_or_auto(), "of the ring; auto = one pixel", MEMBER(itz.thickness)),
-      field("itz.segments", IntegerCodec<>{between(3, 10000)}, "corners of a ring", MEMBER(itz.segments)),
+      field("itz.segments", IntegerCodec<>{between(3, 10000), Word{"auto", 0}},
+            "corners of a ring; auto = 36, and as many as follow the outline of an aggregate of a picture",
+            MEMBER(itz.segments)),
   };
 }
 

@@ -44,7 +44,7 @@ struct Console {
   std::ostream& out;
   std::ostream& err;
   bool err_is_terminal = false;  ///< then a progress line may be drawn
-  bool quiet = false;            ///< only errors
+  bool quiet = false;            ///< only errors and warnings
   Locate locate;                 ///< where the user set what a library complains of; may be empty
   bool err_is_coloured = false;
   bool out_is_coloured = false;
@@ -53,6 +53,9 @@ struct Console {
   void say(const std::string& line) {
     if (!quiet) err << printable_lines(line) << '\n' << std::flush;
   }
+
+  /// A line that is to be seen before the result is used: also when quiet.
+  void warn(const std::string& line) { err << printable_lines("warning: " + line) << '\n' << std::flush; }
 };
 
 inline constexpr const char* wipe_line = "\r\x1b[K";  ///< and go back to its beginning

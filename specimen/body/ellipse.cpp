@@ -1,5 +1,6 @@
 #include "specimen/body/ellipse.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -99,6 +100,33 @@ Rotation rotation_by(double angle) {
     default:
       return {s, -c};
   }
+}
+
+std::vector<std::vector<Point>> loops_of(const std::vector<Point>& contour) {
+  if (contour.empty()) return {};
+  std::vector<std::vector<Point>> loops;
+  const Point home = contour.front();
+  // The first one needs no end of its own where it is the only one.
+  const auto end = std::find(contour.begin() + 1, contour.end(), home);
+  loops.emplace_back(contour.begin(), end);
+  for (auto at = end; at != contour.end() && at + 1 != contour.end();) {
+    const auto start = at + 1;
+    const auto close = std::find(start + 1, contour.end(), *start);
+    loops.emplace_back(start, close);
+    at = close == contour.end() ? close : close + 1;  // home again
+  }
+  return loops;
+}
+
+std::vector<Point> contour_of(const std::vector<std::vector<Point>>& loops) {
+  std::vector<Point> contour;
+  for (const std::vector<Point>& loop : loops) {
+    contour.insert(contour.end(), loop.begin(), loop.end());
+    if (loops.size() == 1) break;
+    if (&loop != &loops.front()) contour.push_back(loop.front());
+    contour.push_back(loops.front().front());
+  }
+  return contour;
 }
 
 }  // namespace specimen

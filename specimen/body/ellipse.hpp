@@ -36,19 +36,28 @@ struct Ellipse {
 
 /// One aggregate.
 struct Inclusion {
-  int id = 0;                      ///< 1, 2, ...: its value in Segmented::instances
-  Ellipse ellipse;                 ///< the ellipse itself, or the one with the same area and second moments
-  std::vector<Point> contour;      ///< outer boundary [m], counter-clockwise; empty: the ellipse is exact
+  int id = 0;       ///< 1, 2, ...: its value in Segmented::instances
+  Ellipse ellipse;  ///< the ellipse itself, or the one with the same area and second moments
+  /// Boundary [m], see loops_of(); empty: the ellipse is exact.
+  std::vector<Point> contour;
   double area = 0;                 ///< [m^2]
   double perimeter = 0;            ///< [m]
   double equivalent_diameter = 0;  ///< diameter of the circle of the same area [m]
   double orientation = 0;          ///< from x to the long axis [rad], in [0, pi)
 };
 
-/// Closed polygon around one aggregate; its ITZ lies along it.
+/// The closed lines that a contour is made of: the outer boundary of the largest piece, counter-clockwise;
+/// then those of further pieces, and of holes, clockwise. In the contour each further one is closed by its
+/// own first point and leads back to the first point of all, so that the whole is one polygon whose area is
+/// that of the grain: its bridges are walked in both directions.
+[[nodiscard]] std::vector<std::vector<Point>> loops_of(const std::vector<Point>& contour);
+/// The other way round.
+[[nodiscard]] std::vector<Point> contour_of(const std::vector<std::vector<Point>>& loops);
+
+/// Closed polygon along one boundary of an aggregate; its ITZ lies along it.
 struct Ring {
   int inclusion = 0;            ///< id of the inclusion
-  std::vector<Point> vertices;  ///< corners [m], counter-clockwise; 36 of them by default
+  std::vector<Point> vertices;  ///< corners [m], counter-clockwise, clockwise in a hole
 };
 
 /// The inclusion of an ellipse; area and perimeter are exact to rounding.

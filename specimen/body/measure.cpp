@@ -26,26 +26,11 @@ struct Pixel {
   int row = -1, col = -1;
 };
 
-/// Where to start round each grain: the first pixel of its largest piece.
-std::vector<Pixel> starts(const Raster<std::int32_t>& instances, std::size_t grains) {
-  const Components pieces = connected_pieces(instances, Connectivity::edges);
-  std::vector<std::int64_t> largest(grains, 0);
-  std::vector<Pixel> start(grains);
-  for (int r = 0; r < instances.rows; ++r)
-    for (int c = 0; c < instances.cols; ++c) {
-      if (instances(r, c) == 0) continue;
-      const auto grain = static_cast<std::size_t>(instances(r, c) - 1);
-      const std::int64_t area = pieces.area[static_cast<std::size_t>(pieces.piece(r, c))];
-      if (area <= largest[grain]) continue;
-      largest[grain] = area;
-      start[grain] = {r, c};
-    }
-  return start;
-}
-
-/// Walk along the pixel edges with the grain on the left, from the top edge of its first pixel.
-/// @return middles of the edges [px], y upwards, counter-clockwise.
-std::vector<Point> walk_round(const Raster<std::int32_t>& instances, Pixel start) {
+/// Walk along the pixel edges with the grain on the left, from the top edge of a pixel, whose number in
+/// `walked` tells that this edge has been walked.
+/// @return middles of the edges [px], y upwards; counter-clockwise round a grain, clockwise round a hole.
+std::vector<Point> walk_round(const Raster<std::int32_t>& instances, Pixel start,
+                              Raster<std::uint8_t>& walked) {
   const std::int32_t id = instances(start.row, start.col);
   const auto inside = [&](int row, int col) {
     return instances.contains(row, col) && instances(row, col) == id;
@@ -60,6 +45,7 @@ std::vector<Point> walk_round(const Raster<std::int32_t>& instances, Pixel start
   std::vector<Point> middles;
   do {
     middles.push_back({c + step[d][1] / 2.0, instances.rows - (r + step[d][0] / 2.0)});
+    if (d == 2) walked(r, c - 1) = 1;
     r += step[d][0];
     c += step[d][1];
     if (!inside(r + left[d][0], c + left[d][1]))
@@ -77,6 +63,30 @@ double length_round(const std::vector<Point>& polygon) {
     length += std::hypot(b.x - a.x, b.y - a.y);
   }
   return length;
+}
+
+double area_in(const std::vector<Point>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  return twice / 2;
+}
+
+using Loops = std::vector<std::vector<Point>>;
+
+/// The lines round every piece and every hole of each grain, the largest piece first [px].
+std::vector<Loops> boundaries(const Raster<std::int32_t>& instances, std::size_t grains) {
+  std::vector<Loops> loops(grains);
+  Raster<std::uint8_t> walked(instances.rows, instances.cols, 0);
+  for (int r = 0; r < instances.rows; ++r)
+    for (int c = 0; c < instances.cols; ++c) {
+      const std::int32_t id = instances(r, c);
+      if (id == 0 || walked(r, c) != 0 || (r > 0 && instances(r - 1, c) == id)) continue;
+      Loops& own = loops[static_cast<std::size_t>(id - 1)];
+      own.push_back(walk_round(instances, {r, c}, walked));
+      if (own.size() > 1 && area_in(own.back()) > area_in(own.front())) std::swap(own.front(), own.back());
+    }
+  return loops;
 }
 
 Ellipse ellipse_of(const Moments& m) {
@@ -104,7 +114,7 @@ std::vector<Inclusion> measure_inclusions(const Raster<std::int32_t>& instances,
     for (int c = 0; c < instances.cols; ++c)
       if (const std::int32_t id = instances(r, c); id > 0)
         moments[static_cast<std::size_t>(id - 1)].add(c + 0.5, instances.rows - r - 0.5);
-  const std::vector<Pixel> start = starts(instances, moments.size());
+  const std::vector<Loops> loops = boundaries(instances, moments.size());
 
   const double d = pixel_size;
   const double staircase = std::numbers::pi / (8 * (std::numbers::sqrt2 - 1));
@@ -115,8 +125,10 @@ std::vector<Inclusion> measure_inclusions(const Raster<std::int32_t>& instances,
     const Ellipse e = ellipse_of(moments[i]);
     inclusion.ellipse = {e.x * d, e.y * d, e.a * d, e.b * d, e.angle};
     inclusion.orientation = e.angle;
-    inclusion.contour = walk_round(instances, start[i]);
-    inclusion.perimeter = length_round(inclusion.contour) * staircase * d;
+    inclusion.contour = contour_of(loops[i]);
+    double around = 0;
+    for (const std::vector<Point>& loop : loops[i]) around += length_round(loop);
+    inclusion.perimeter = around * staircase * d;
     for (Point& p : inclusion.contour) p = {p.x * d, p.y * d};
     inclusion.area = moments[i].n * d * d;
     inclusion.equivalent_diameter = 2 * std::sqrt(inclusion.area / std::numbers::pi);

@@ -12,10 +12,11 @@
 namespace specimen {
 
 /// Measure every grain of an instance raster.
-/// The contour runs around the largest connected piece, through the midpoints of the pixel edges between
-/// inside and outside. The ellipse has the area of the grain, and the axis ratio and direction of its second
-/// moments. The perimeter is the length of the contour times pi / (8 (sqrt 2 - 1)), which corrects the mean
-/// excess of the staircase over all directions. Source: Vossepoel, Smeulders (1982).
+/// The contour runs around every connected piece and every hole (loops_of), through the midpoints of the
+/// pixel edges between inside and outside. The ellipse has the area of the grain, and the axis ratio and
+/// direction of its second moments. The perimeter is the length of all these lines times pi / (8 (sqrt 2 -
+/// 1)), which corrects the mean excess of the staircase over all directions. Source: Vossepoel, Smeulders
+/// (1982).
 /// @param instances  0 = none, else ids 1 ... n, each of which occurs.   @param pixel_size  [m].
 [[nodiscard]] std::vector<Inclusion> measure_inclusions(const Raster<std::int32_t>& instances,
                                                         double pixel_size);

@@ -126,14 +126,42 @@ void draw_segment(LabelledMask& mask, Point from, Point to, double thickness) {
   }
 }
 
-// Mortar pixels that share an edge with one of the inclusions.
+// Pixels of each inclusion that has a ring; 0 for the others.
+std::vector<std::int64_t> areas_of(const Raster<std::int32_t>& instances,
+                                   const std::unordered_set<std::int32_t>& ids) {
+  std::vector<std::int64_t> areas;
+  for (const std::int32_t id : instances.data) {
+    if (id <= 0) continue;
+    const auto i = static_cast<std::size_t>(id);
+    if (i >= areas.size()) areas.resize(i + 1, 0);
+    ++areas[i];
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    if (!ids.contains(static_cast<std::int32_t>(i))) areas[i] = 0;
+  return areas;
+}
+
+// Mortar pixels that share an edge with one of the inclusions; where two inclusions share one, the pixel of
+// the larger.
 void close_rings(LabelledMask& mask, const Raster<std::int32_t>& instances,
                  const std::unordered_set<std::int32_t>& ids) {
-  const auto listed = [&](int row, int col) {
-    return instances.contains(row, col) && instances(row, col) != 0 && ids.count(instances(row, col)) > 0;
+  const std::vector<std::int64_t> areas = areas_of(instances, ids);
+  const auto area_at = [&](int row, int col) -> std::int64_t {
+    if (!instances.contains(row, col) || instances(row, col) <= 0) return 0;
+    return areas[static_cast<std::size_t>(instances(row, col))];
+  };
+  const auto listed = [&](int row, int col) { return area_at(row, col) > 0; };
+  const auto gives_way = [&](int row, int col, int to_row, int to_col) {
+    const std::int64_t mine = area_at(row, col), theirs = area_at(to_row, to_col);
+    if (theirs == 0 || instances(row, col) == instances(to_row, to_col)) return false;
+    return mine > theirs || (mine == theirs && instances(row, col) > instances(to_row, to_col));
   };
   for (int row = 0; row < instances.rows; ++row) {
     for (int col = 0; col < instances.cols; ++col) {
+      if (mask.labels(row, col) == phase::aggregate && listed(row, col) &&
+          (gives_way(row, col, row - 1, col) || gives_way(row, col, row + 1, col) ||
+           gives_way(row, col, row, col - 1) || gives_way(row, col, row, col + 1)))
+        mask.labels(row, col) = phase::itz;
       if (mask.labels(row, col) != phase::mortar) continue;
       if (listed(row - 1, col) || listed(row + 1, col) || listed(row, col - 1) || listed(row, col + 1))
         mask.labels(row, col) = phase::itz;
@@ -143,10 +171,17 @@ void close_rings(LabelledMask& mask, const Raster<std::int32_t>& instances,
 
 }  // namespace
 
-Ring make_ring(const Inclusion& inclusion, int segments) {
-  check_segments(segments);
-  return {inclusion.id, inclusion.contour.empty() ? cut_ellipse(inclusion.ellipse, segments)
-                                                  : cut_contour(inclusion.contour, segments)};
+std::vector<Ring> make_rings(const Inclusion& inclusion, int segments) {
+  constexpr int usual = 36, points_a_segment = 3;
+  if (segments != 0) check_segments(segments);
+  if (inclusion.contour.empty())
+    return {{inclusion.id, cut_ellipse(inclusion.ellipse, segments == 0 ? usual : segments)}};
+  std::vector<Ring> rings;
+  for (const std::vector<Point>& loop : loops_of(inclusion.contour)) {
+    const int steps = static_cast<int>((loop.size() + points_a_segment - 1) / points_a_segment);
+    rings.push_back({inclusion.id, cut_contour(loop, segments == 0 ? std::max(usual, steps) : segments)});
+  }
+  return rings;
 }
 
 void draw_rings(LabelledMask& mask, const Raster<std::int32_t>& instances, const std::vector<Ring>& rings,

@@ -19,8 +19,10 @@ Specimen make_specimen(Segmented segmented, const ItzOptions& itz, Provenance pr
   if (itz.mode == ItzMode::none) return specimen;
 
   specimen.rings.reserve(specimen.inclusions.size());
+  constexpr int usual_points = 36;  // they have mass: no more than in the paper, unless asked for
+  const int segments = itz.segments == 0 && itz.mode == ItzMode::points ? usual_points : itz.segments;
   for (const Inclusion& inclusion : specimen.inclusions)
-    specimen.rings.push_back(make_ring(inclusion, itz.segments));
+    for (Ring& ring : make_rings(inclusion, segments)) specimen.rings.push_back(std::move(ring));
   if (itz.mode == ItzMode::ring) {
     const double thickness = itz.thickness > 0 ? itz.thickness : specimen.mask.pixel_size;
     draw_rings(specimen.mask, segmented.instances, specimen.rings, thickness);
@@ -126,7 +128,8 @@ std::unordered_set<int> check_inclusions(const std::vector<Inclusion>& inclusion
 void check_itz(const ItzOptions& itz) {
   if (!(std::isfinite(itz.thickness) && itz.thickness >= 0))
     throw Error("itz.thickness", to_string(itz.thickness) + " m", "must be >= 0 (0 = one pixel)");
-  if (itz.segments < 3) throw Error("itz.segments", to_string(itz.segments), "must be >= 3");
+  if (itz.segments != 0 && itz.segments < 3)
+    throw Error("itz.segments", to_string(itz.segments), "must be >= 3, or 0 = automatic");
 }
 
 void check_ring(const Ring& ring, std::size_t index, const std::unordered_set<int>& ids) {
@@ -140,13 +143,9 @@ void check_ring(const Ring& ring, std::size_t index, const std::unordered_set<in
 }
 
 void check_rings(const std::vector<Ring>& rings, const std::unordered_set<int>& ids) {
-  std::unordered_set<int> ringed;
   std::int64_t points = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     check_ring(rings[i], i, ids);
-    if (!ringed.insert(rings[i].inclusion).second)
-      throw Error(numbered("rings", i, "inclusion"), to_string(rings[i].inclusion) + " has a ring already",
-                  "must be one ring per inclusion");
     points += static_cast<std::int64_t>(rings[i].vertices.size());
   }
   check_at_most("rings", points, max_points);

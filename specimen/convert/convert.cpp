@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "specimen/body/error.hpp"
@@ -94,6 +95,73 @@ void clean(Raster<Cell>& cells, const CleaningPlan& plan, double cell_size, Conv
     const Changed c = fill_holes(cells);
     note_change(report, "filled " + counted(c.pieces, "hole") + " of aggregates", c.pixels, cells.size());
   }
+}
+
+/// What lies outside of the specimen is void, whatever the cleaning made of it.
+void clear_outside(Sorted& sorted) {
+  if (sorted.outside.empty()) return;
+  for (int r = 0; r < sorted.cells.rows; ++r)
+    for (int c = 0; c < sorted.cells.cols; ++c) {
+      const int row = std::min(sorted.outside.rows - 1, r * sorted.factor + sorted.factor / 2);
+      const int col = std::min(sorted.outside.cols - 1, c * sorted.factor + sorted.factor / 2);
+      if (sorted.outside(row, col) != 0) sorted.cells(r, c) = phase::void_;
+    }
+}
+
+/// Repeat rows or columns until pixels that the file calls oblong are square.
+Picture squared(Picture picture, const ConvertOptions& o, ConvertReport& report) {
+  if (picture.pixel_aspect == 1) return picture;
+  const double aspect = picture.pixel_aspect;
+  const std::string how = short_number(std::max(aspect, 1 / aspect)) + " times as " +
+                          (aspect > 1 ? "high as wide" : "wide as high");
+  if (o.source_pixel_size > 0)
+    throw Error("convert.pixel_size", length_text(o.source_pixel_size) + " for pixels that are " + how,
+                "one edge is not enough, as the resolution tag of the file says",
+                "give the width of the picture instead");
+  const int rows = aspect > 1 ? static_cast<int>(std::lround(picture.rows() * aspect)) : picture.rows();
+  const int cols = aspect < 1 ? static_cast<int>(std::lround(picture.cols() / aspect)) : picture.cols();
+  if (std::int64_t{rows} * cols > o.max_pixels)
+    throw Error("convert.max_pixels", grouped(cols) + " x " + grouped(rows) + " pixels",
+                "at most " + grouped(o.max_pixels) + " are allowed once they are square",
+                "make the picture smaller, or raise convert.max_pixels");
+  report.notes.push_back("the pixels are " + how + ", as the file says: repeated " +
+                         (aspect > 1 ? "rows" : "columns") + " to make " + grouped(cols) + " x " +
+                         grouped(rows) + " square ones of " + grouped(picture.cols()) + " x " +
+                         grouped(picture.rows()));
+  picture.pixel_size *= static_cast<double>(picture.cols()) / cols;
+  const auto repeat = [&](auto& raster) {
+    if (raster.empty()) return;
+    auto larger = raster;
+    larger.rows = rows;
+    larger.cols = cols;
+    larger.data.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
+    for (int r = 0; r < rows; ++r)
+      for (int c = 0; c < cols; ++c)
+        larger(r, c) = raster(static_cast<int>((std::int64_t{2} * r + 1) * raster.rows / (2 * rows)),
+                              static_cast<int>((std::int64_t{2} * c + 1) * raster.cols / (2 * cols)));
+    raster = std::move(larger);
+  };
+  repeat(picture.gray);
+  repeat(picture.colour);
+  repeat(picture.indices);
+  repeat(picture.opacity);
+  picture.pixel_aspect = 1;
+  return picture;
+}
+
+/// Transparent pixels over white, for those who want them as part of the specimen.
+void lay_over_white(Picture& picture) {
+  for (std::size_t i = 0; i < picture.opacity.size(); ++i) {
+    const auto mix = [&](int c) {
+      return static_cast<std::uint8_t>(
+          (c * picture.opacity.data[i] + 255 * (255 - picture.opacity.data[i]) + 127) / 255);
+    };
+    if (!picture.colour.empty()) {
+      Rgb& c = picture.colour.data[i];
+      c = {mix(c.r), mix(c.g), mix(c.b)};
+    }
+  }
+  picture.opacity = {};
 }
 
 void separate_grains(Sorted& sorted, const ConvertOptions& o, ConvertReport& report) {
@@ -193,14 +261,20 @@ Converted convert_picture(const std::string& path, const ConvertOptions& options
 
 Converted convert_picture(Picture whole, const ConvertOptions& options) {
   check_options(options);
-  const Picture picture = cropped(std::move(whole), options.crop);
+  if (whole.origin == Origin::drawing)
+    throw Error("specimen.picture", "a drawing of mesopix, made to be looked at", "must show a specimen",
+                "convert the picture that the specimen was made from");
   Converted result;
   ConvertReport& report = result.report;
+  report.notes = whole.notes;
+  Picture picture = squared(cropped(std::move(whole), options.crop), options, report);
+  if (options.outside == Outside::none) lay_over_white(picture);
   report.source_pixel_size = source_pixel_size(picture, options, report);
 
   Sorted sorted = segment(picture, options, report);
   const double cell_size = report.source_pixel_size * sorted.factor;
   clean(sorted.cells, plan_cleaning(sorted, options, cell_size), cell_size, report);
+  clear_outside(sorted);
   separate_grains(sorted, options, report);
 
   LabelledMask& mask = result.segmented.mask;

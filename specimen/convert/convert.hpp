@@ -1,15 +1,19 @@
 /// From a picture to phases and instances: segmentation, cleaning, crop, resampling.
 ///
 /// What `automatic` does, and what is guessed for options that are not given; the notes report all of it.
-/// - Method: a picture of whole numbers with 0 and at least five others that lie in one piece each
-///   is a map of instances; one of at most eight values (32 if neighbours mostly agree) is a map
-///   of labels. Others are photographs, grey or coloured: kmeans. Options that belong to one method
-///   select it.
+/// - Files of this program say what they are: their labels, and the colours of their previews, are read as
+/// such.
+/// - Method: a map in which one value lies between at least five others, which are in one piece each, is one
+/// of
+///   instances; a picture of at most eight values (32 if neighbours mostly agree) is a map of labels. Pixels
+///   between two flat tones (smooth edges, JPEG) go to the nearer one. Others are photographs, grey or
+///   coloured: kmeans. Options that belong to one method select it.
 /// - Values of a map: palette indices if there is a palette, otherwise grey values, otherwise colours as
-///   0xRRGGBB. Values from 0, 1, 2, 3 that include 2 are our own labels. In other maps the value with the
-///   largest connected piece is mortar (the matrix is connected, aggregates are not); with three values or
-///   more, 0 and 255 are void; the rest is aggregate. Touching aggregates of different values are different
-///   inclusions.
+///   0xRRGGBB. Their phases are read from how they lie in the picture, whatever the numbers are
+///   (reading.hpp). A map that can be read in two ways is refused. Touching aggregates of different values
+///   are different inclusions.
+/// - Outside of a round or tilted specimen there is void (Outside).
+/// - Pixels that are not square, as the file says, are made square by repeating rows or columns.
 /// - Photographs with `pixels` are first averaged to twice the columns of the mask (at least 600).
 /// - kmeans with classes = 0: a drawing in flat colours, noisy or not, gets one class per colour. In a cut
 ///   whose mortar is dyed pink by an indicator, the tint separates mortar, aggregate and the shaded walls of
@@ -50,6 +54,13 @@ enum class Segmentation {
   kmeans,      ///< clusters of colour in Lab; grey counts as a colour
 };
 
+/// What of a picture is taken to lie outside of the specimen, and becomes void.
+enum class Outside {
+  automatic,  ///< transparent pixels; even black or white, or one value of a map, round a convex body
+  void_,      ///< as above, without looking for a body: what reaches the most corners
+  none,       ///< nothing: transparent pixels are laid over white
+};
+
 /// Rectangle of source pixels [px], from the top left corner; width 0 = the whole picture.
 struct Crop {
   int x = 0, y = 0, width = 0, height = 0;
@@ -74,6 +85,7 @@ struct ConvertOptions {
   double source_pixel_size = 0;           ///< [m]; 0 = from the file's resolution tag
   double width = 0;  ///< of the (cropped) picture [m], instead of source_pixel_size; 0 = not given
   Crop crop;
+  Outside outside = Outside::automatic;
   /// Columns of the mask; 0 = as the picture. The number of rows follows and is even: the last row covers at
   /// least half of its picture rows, and less than two rows are omitted at the bottom.
   int pixels = 0;
@@ -106,6 +118,13 @@ struct Converted {
 /// Neither the options nor the file of a picture tell how large a pixel is.
 struct NoScale : Error {
   using Error::Error;
+};
+
+/// A map of labels that can be read in two ways, one nearly as likely as the other.
+struct TwoReadings : Error {
+  using Error::Error;
+  std::vector<std::string>
+      label_phases{};  ///< the two, as "0:void,1:aggregate,2:mortar"; the likelier one first
 };
 
 /// Convert a picture.

@@ -155,6 +155,7 @@ Picture cropped(Picture picture, const Crop& crop) {
   picture.gray = part_of(picture.gray, crop);
   picture.colour = part_of(picture.colour, crop);
   picture.indices = part_of(picture.indices, crop);
+  picture.opacity = part_of(picture.opacity, crop);
   return picture;
 }
 

@@ -7,6 +7,9 @@
 #include <unordered_map>
 
 #include "specimen/body/mask.hpp"
+#include "specimen/convert/instances.hpp"
+#include "specimen/convert/levels.hpp"
+#include "specimen/convert/shapes.hpp"
 
 namespace specimen {
 namespace {
@@ -18,12 +21,20 @@ class Collector {
 
   /// @return the provisional number, or -1 when there are too many values.
   std::int32_t number_of(std::int64_t value) {
+    ++seen_;
     if (!values_.empty() && value == last_value_) return last_number_;
+    ++changes_;
     const auto [found, is_new] = number_.try_emplace(value, static_cast<std::int32_t>(values_.size()));
     if (is_new) values_.push_back(value);
-    if (values_.size() > most_) return -1;
+    if (values_.size() > most_ || (is_new && is_noise())) return -1;
     last_value_ = value;
     return last_number_ = found->second;
+  }
+
+  /// Whether most pixels of many differ from the one before them: noise, and no map.
+  [[nodiscard]] bool is_noise() const {
+    constexpr std::size_t many = 4096;
+    return values_.size() > many && 2 * changes_ > seen_;
   }
 
   void put_in_order(ValueMap& map) const {
@@ -41,6 +52,7 @@ class Collector {
   std::vector<std::int64_t> values_;
   std::int64_t last_value_ = 0;  // neighbours are mostly alike
   std::int32_t last_number_ = 0;
+  std::int64_t seen_ = 0, changes_ = 0;
 };
 
 template <class T, class Value>
@@ -60,24 +72,70 @@ std::optional<ValueMap> collect(const Raster<T>& pixels, int most, Value value_o
 
 std::optional<std::int64_t> whole_number(double v) {
   constexpr double limit = 9e15;  // beyond it doubles skip whole numbers
+  if (std::isnan(v)) return no_number;
   if (v != std::floor(v) || std::abs(v) > limit) return std::nullopt;
   return static_cast<std::int64_t>(v);
 }
 
 }  // namespace
 
+int blackest(const ValueMap& map) {
+  if (map.values.empty()) return -1;
+  if (!map.colours) return map.values.front() == no_number && map.count() > 1 ? 1 : 0;
+  const auto luma = [&](std::int64_t v) {
+    const auto channel = [&](int shift) { return static_cast<double>(v >> shift & 255); };
+    return 0.3 * channel(16) + 0.6 * channel(8) + 0.1 * channel(0);
+  };
+  const auto least = std::min_element(map.values.begin(), map.values.end(),
+                                      [&](std::int64_t x, std::int64_t y) { return luma(x) < luma(y); });
+  constexpr double black = 40;
+  return luma(*least) < black ? static_cast<int>(least - map.values.begin()) : -1;
+}
+
+namespace {
+
+/// The same for indices into a palette, by the colours that they stand for.
+int blackest_of_palette(const Picture& picture, const ValueMap& map) {
+  ValueMap shown;
+  shown.colours = is_coloured(picture);
+  shown.values.assign(map.values.size(), 0);
+  for (std::size_t i = 0; i < map.code.size(); ++i) {
+    std::int64_t& value = shown.values[static_cast<std::size_t>(map.code.data[i])];
+    if (!picture.gray.empty())
+      value = static_cast<std::int64_t>(picture.gray.data[i]);
+    else
+      value = picture.colour.data[i].r << 16 | picture.colour.data[i].g << 8 | picture.colour.data[i].b;
+  }
+  if (shown.colours) return blackest(shown);
+  return static_cast<int>(std::min_element(shown.values.begin(), shown.values.end()) - shown.values.begin());
+}
+
+}  // namespace
+
 std::optional<ValueMap> distinct_values(const Picture& picture, int most) {
-  if (!picture.indices.empty())
-    return collect(picture.indices, most, [](std::uint8_t i) { return std::optional<std::int64_t>(i); });
-  if (!picture.gray.empty()) return collect(picture.gray, most, whole_number);
-  std::optional<ValueMap> map = collect(
-      picture.colour, most, [](Rgb c) { return std::optional<std::int64_t>(c.r << 16 | c.g << 8 | c.b); });
-  if (map) map->colours = true;
+  std::optional<ValueMap> map;
+  if (!picture.indices.empty()) {
+    map = collect(picture.indices, most, [](std::uint8_t i) { return std::optional<std::int64_t>(i); });
+    if (map) map->black = blackest_of_palette(picture, *map);
+    return map;
+  }
+  const bool coloured = is_coloured(picture);
+  if (!picture.gray.empty())
+    map = collect(picture.gray, most, whole_number);
+  else if (coloured)
+    map = collect(picture.colour, most,
+                  [](Rgb c) { return std::optional<std::int64_t>(c.r << 16 | c.g << 8 | c.b); });
+  else
+    map = collect(picture.colour, most, [](Rgb c) { return std::optional<std::int64_t>(c.r); });
+  if (!map) return map;
+  map->colours = coloured;
+  map->black = blackest(*map);
   return map;
 }
 
 std::string value_text(const ValueMap& map, int code) {
   const std::int64_t value = map.values[static_cast<std::size_t>(code)];
+  if (value == no_number) return "NaN";
   if (!map.colours) return std::to_string(value);
   std::array<char, 8> text{};
   (void)std::snprintf(text.data(), text.size(), "#%06x", static_cast<unsigned>(value & 0xffffff));
@@ -96,6 +154,7 @@ std::vector<std::int64_t> largest_pieces(const Raster<std::int32_t>& code, int c
   const Components pieces = connected_pieces(code, Connectivity::edges);
   std::vector<std::int64_t> largest(static_cast<std::size_t>(count), 0);
   for (std::size_t i = 0; i < code.size(); ++i) {
+    if (code.data[i] < 0) continue;
     std::int64_t& best = largest[static_cast<std::size_t>(code.data[i])];
     best = std::max(best, pieces.area[static_cast<std::size_t>(pieces.piece.data[i])]);
   }
@@ -103,50 +162,6 @@ std::vector<std::int64_t> largest_pieces(const Raster<std::int32_t>& code, int c
 }
 
 namespace {
-
-/// True when nearly every value but 0 lies in one piece, specks aside, as grains do and phases do not.
-bool looks_like_grains(const ValueMap& map) {
-  constexpr int least_grains = 5;
-  constexpr double nearly = 0.9;
-  if (map.colours || map.values.front() != 0 || map.count() - 1 < least_grains) return false;
-  std::vector<std::int64_t> area(map.values.size(), 0);
-  for (const std::int32_t code : map.code.data) ++area[static_cast<std::size_t>(code)];
-  const std::vector<std::int64_t> largest = largest_pieces(map.code, map.count());
-  int whole = 0;
-  for (std::size_t i = 1; i < area.size(); ++i)
-    whole += static_cast<double>(largest[i]) >= nearly * static_cast<double>(area[i]);
-  return whole >= nearly * (map.count() - 1);
-}
-
-/// Pixel edges that the values of our phases share in the picture.
-struct SharedEdges {
-  double aggregate_mortar = 0;
-  double itz = 0;  ///< with aggregate or mortar
-};
-
-SharedEdges shared_edges(const ValueMap& map) {
-  SharedEdges edges;
-  const auto touch = [&](std::int32_t first, std::int32_t second) {
-    const std::int64_t a = map.values[static_cast<std::size_t>(std::min(first, second))];
-    const std::int64_t b = map.values[static_cast<std::size_t>(std::max(first, second))];
-    if (a == phase::aggregate && b == phase::mortar) ++edges.aggregate_mortar;
-    if ((a == phase::aggregate || a == phase::mortar) && b == phase::itz) ++edges.itz;
-  };
-  for (int r = 0; r < map.code.rows; ++r)
-    for (int c = 0; c < map.code.cols; ++c) {
-      if (c + 1 < map.code.cols) touch(map.code(r, c), map.code(r, c + 1));
-      if (r + 1 < map.code.rows) touch(map.code(r, c), map.code(r + 1, c));
-    }
-  return edges;
-}
-
-/// Our labels: mortar is there, and where there is ITZ it keeps aggregates and mortar apart.
-bool written_by_us(const ValueMap& map) {
-  if (map.colours || map.values.front() < phase::void_ || map.values.back() > phase::itz) return false;
-  if (std::find(map.values.begin(), map.values.end(), phase::mortar) == map.values.end()) return false;
-  const SharedEdges edges = shared_edges(map);
-  return map.values.back() != phase::itz || edges.aggregate_mortar <= edges.itz;
-}
 
 /// Index of the largest from `first` on; the first among equals, so that of two classes the brighter is
 /// aggregate.
@@ -159,28 +174,27 @@ std::size_t largest_from(const std::vector<std::int64_t>& areas, std::size_t fir
 
 }  // namespace
 
-Segmentation guess_method(const std::optional<ValueMap>& map) {
-  constexpr int surely_labels = 8;
-  constexpr double coherent = 0.8;
-  if (map && coherence(*map) >= coherent && looks_like_grains(*map)) return Segmentation::instances;
-  if (map && map->count() <= surely_labels) return Segmentation::labels;
-  if (map && map->count() <= most_labels && coherence(*map) >= coherent) return Segmentation::labels;
-  return Segmentation::kmeans;
+namespace {
+
+/// Whether a map has a colour or number for each grain that other grains share: one value lies between most
+/// of the others, and nearly every pixel is like its neighbour.
+bool repeats_colours(const ValueMap& map) {
+  constexpr double coherent = 0.9, most_others = 0.6;
+  if (map.count() > most_in_contact || coherence(map) < coherent) return false;
+  const std::vector<int> neighbours = neighbours_of(map.code, map.count());
+  return *std::max_element(neighbours.begin(), neighbours.end()) >= most_others * (map.count() - 1);
 }
 
-std::vector<std::string> guess_label_phases(const ValueMap& map) {
-  std::vector<std::string> phases;
-  if (written_by_us(map)) {
-    for (const std::int64_t value : map.values)
-      phases.push_back(standard_phases()[static_cast<std::size_t>(value)]);
-    return phases;
-  }
-  const std::size_t matrix = largest_from(largest_pieces(map.code, map.count()), 0);
-  for (std::size_t i = 0; i < map.values.size(); ++i) {
-    const bool nothing = map.values[i] == 0 || (map.values[i] == 255 && !map.colours);
-    phases.emplace_back(i == matrix ? "mortar" : nothing && map.count() > 2 ? "void" : "aggregate");
-  }
-  return phases;
+}  // namespace
+
+Segmentation guess_method(const std::optional<ValueMap>& map) {
+  constexpr int surely_labels = 8;
+  constexpr double coherent = 0.8, fairly_coherent = 0.5;  // small grains with lines between them
+  if (map && coherence(*map) >= fairly_coherent && looks_like_grains(*map)) return Segmentation::instances;
+  if (map && map->count() <= surely_labels) return Segmentation::labels;
+  if (map && map->count() <= most_labels && coherence(*map) >= coherent) return Segmentation::labels;
+  if (map && repeats_colours(*map)) return Segmentation::labels;
+  return Segmentation::kmeans;
 }
 
 std::vector<std::string> guess_class_phases(const Raster<std::uint8_t>& classes, int count, bool has_void) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,13 +14,23 @@ namespace specimen {
 
 /// A picture as indices into a list of its distinct values.
 struct ValueMap {
-  Raster<std::int32_t> code;         ///< index into `values` per pixel
+  Raster<std::int32_t> code;         ///< index into `values` per pixel; -1 = outside of the specimen
   std::vector<std::int64_t> values;  ///< increasing
   bool colours = false;              ///< the values are colours, 0xRRGGBB
+  int black = -1;    ///< the code that is black: the lowest of the numbers, a dark colour; -1 = none
+  int outside = -1;  ///< the code that lies outside of the specimen as well; -1 = none
   [[nodiscard]] int count() const { return static_cast<int>(values.size()); }
 };
 
-/// Distinct values: palette indices if there is a palette, otherwise grey values or colours as 0xRRGGBB.
+/// Not-a-number among the values of a map.
+inline constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::min();
+
+/// The code of the blackest of the values: numbers count as grey levels.   @return -1 where all are colours
+/// and none is black.
+[[nodiscard]] int blackest(const ValueMap& map);
+
+/// Distinct values: palette indices if there is a palette, otherwise grey values or colours as 0xRRGGBB, or
+/// as grey values where all of them are grey.
 /// @return nothing for more than `most` values, or if a grey value is not an integer.
 [[nodiscard]] std::optional<ValueMap> distinct_values(const Picture& picture, int most);
 
@@ -32,27 +43,18 @@ struct ValueMap {
 /// Area of the largest connected piece of each value [px].
 [[nodiscard]] std::vector<std::int64_t> largest_pieces(const Raster<std::int32_t>& code, int count);
 
-/// Largest number of distinct values of a picture that is taken for a map by default.
+/// Largest number of distinct values of a picture that is taken for a map of labels by default; of a map of
+/// grains.
 inline constexpr int most_labels = 32;
-inline constexpr int most_grains = 65'535;
+inline constexpr int most_grains = 4'000'000;
 
 /// Method for a picture:
-/// - instances: whole numbers, 0 and at least five others, nine in ten of them (almost) in one
-///   piece each;
+/// - instances: a value between at least five others, nine in ten of them (almost) in one piece each;
 /// - labels: at most eight values, or at most 32 of which 80 % of the pixels share theirs with a
-///   neighbour;
+///   neighbour, or at most 256 colours of grains that repeat;
 /// - else kmeans.
 /// @param map  the distinct values, where there are few enough.
 [[nodiscard]] Segmentation guess_method(const std::optional<ValueMap>& map);
-
-/// Phase of each value of a label map:
-/// - values out of 0, 1, 2, 3 with 2 among them are void, aggregate, mortar, itz, as write_labels
-///   writes them, unless 3 is there and yet 1 and 2 share more of their boundary with each other
-///   than with it;
-/// - otherwise the value with the largest connected piece is mortar, because the matrix is connected and
-///   aggregates are not; with three values or more 0 (black) and 255 are void or outside; all others are
-///   aggregate.
-[[nodiscard]] std::vector<std::string> guess_label_phases(const ValueMap& map);
 
 /// Phase of each class of a photograph, from the darkest to the brightest: of three or more the darkest is
 /// void if `has_void`; of the others the one with the largest connected piece is mortar, the rest

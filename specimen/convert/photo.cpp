@@ -244,12 +244,14 @@ ColourClasses colour_classes(const Raster<Lab>& picture, int count) {
   return result;
 }
 
-ColourClasses automatic_classes(const Raster<Lab>& picture, const Raster<Lab>& grainy) {
+ColourClasses automatic_classes(const Raster<Lab>& picture, const Raster<Lab>& grainy, bool has_black) {
   const std::vector<Lab> colours = sample(picture);
   if (const auto flat = flat_colours(colours)) return drawing_classes(picture, *flat);
   double dark_below = 0.5 * median_lightness(colours);
   std::vector<Lab> lit = lighter_than(dark_below, colours);
-  if (static_cast<double>(colours.size() - lit.size()) < 1e-3 * static_cast<double>(colours.size())) {
+  const double dark = 1 - static_cast<double>(lit.size()) / static_cast<double>(colours.size());
+  constexpr double most_holes = 0.12;
+  if (dark < 1e-3 || (!has_black && dark > most_holes)) {
     dark_below = 0;  // nothing swallows the light
     lit = colours;
   }

@@ -36,6 +36,9 @@ struct ColourClasses {
 /// In both of the latter, pixels below half of the median lightness form a separate class: they are
 /// holes. Source of the indicator's meaning: EN 14630.
 /// @param picture  after a median filter.   @param grainy  the same picture before that, for its roughness.
-[[nodiscard]] ColourClasses automatic_classes(const Raster<Lab>& picture, const Raster<Lab>& grainy);
+/// @param has_black  black means that no light comes back; else dark pixels are holes only where they are
+/// few.
+[[nodiscard]] ColourClasses automatic_classes(const Raster<Lab>& picture, const Raster<Lab>& grainy,
+                                              bool has_black = true);
 
 }  // namespace specimen

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "specimen/body/error.hpp"
@@ -11,7 +10,10 @@
 #include "specimen/convert/convert_options.hpp"
 #include "specimen/convert/guess.hpp"
 #include "specimen/convert/image_colour.hpp"
+#include "specimen/convert/levels.hpp"
+#include "specimen/convert/outside.hpp"
 #include "specimen/convert/photo.hpp"
+#include "specimen/convert/segment_map.hpp"
 #include "specimen/convert/smoothing.hpp"
 
 namespace specimen {
@@ -26,99 +28,6 @@ Segmentation implied_method(const ConvertOptions& o) {
   if (!o.label_phases.empty()) return Segmentation::labels;
   return Segmentation::automatic;
 }
-
-// ---- maps ----
-
-void refuse_median(const ConvertOptions& o, Segmentation method) {
-  if (o.median > 1)
-    throw Error("convert.median", std::to_string(o.median) + " px on a map of " + method_name(method),
-                "the values of a map are not ordered, so they have no median", "use drop_islands");
-}
-
-ValueMap require_values(const Picture& picture, int most, const char* what) {
-  std::optional<ValueMap> map = distinct_values(picture, most);
-  if (map) return std::move(*map);
-  throw Error("convert.method", what,
-              "needs a picture with whole numbers and at most " + grouped(most) + " different ones",
-              "this one looks like a photograph: use kmeans or otsu");
-}
-
-/// Phase of each value as the user maps it.   @throws Error for values that were left out.
-std::vector<std::string> mapped_phases(const ValueMap& map, const ConvertOptions& o) {
-  std::vector<std::string> phases;
-  std::string left_out;
-  int count = 0;
-  for (int code = 0; code < map.count(); ++code) {
-    const std::int64_t value = map.values[static_cast<std::size_t>(code)];
-    const auto entry = std::find_if(o.label_phases.begin(), o.label_phases.end(),
-                                    [&](const auto& e) { return e.first == value; });
-    phases.push_back(entry == o.label_phases.end() ? "" : entry->second);
-    if (entry == o.label_phases.end() && ++count <= 10)
-      left_out += (left_out.empty() ? "" : ", ") + value_text(map, code);
-  }
-  if (count > 0)
-    throw Error("convert.label_phases", "nothing for value " + left_out + (count > 10 ? ", ..." : ""),
-                "every value of the picture needs a phase",
-                "add it, or leave label_phases out to have all guessed");
-  return phases;
-}
-
-/// Put each pixel in its phase; aggregates of different values stay apart even where they touch.
-void fill_cells(Sorted& sorted, const Raster<std::int32_t>& code, const std::vector<std::string>& phases) {
-  std::vector<Cell> cell_of;
-  for (std::size_t i = 0; i < phases.size(); ++i) {
-    const std::uint8_t label = label_of(sorted.phases, phases[i]);
-    cell_of.push_back(label == phase::aggregate ? grain(static_cast<std::int32_t>(i)) : label);
-  }
-  sorted.cells = Raster<Cell>(code.rows, code.cols);
-  std::transform(code.data.begin(), code.data.end(), sorted.cells.data.begin(),
-                 [&](std::int32_t i) { return cell_of[static_cast<std::size_t>(i)]; });
-}
-
-void note_values(const ValueMap& map, const std::vector<std::string>& phases, bool guessed,
-                 ConvertReport& report) {
-  std::vector<double> count(map.values.size(), 0);
-  for (const std::int32_t code : map.code.data) ++count[static_cast<std::size_t>(code)];
-  std::string text;
-  for (int code = 0; code < map.count(); ++code) {
-    const auto i = static_cast<std::size_t>(code);
-    text += (text.empty() ? "" : ", ") + value_text(map, code) + " = " + phases[i] + " (" +
-            share_text(count[i], static_cast<double>(map.code.size())) + ")";
-  }
-  note(report, std::string("phases of the values, ") + (guessed ? "guessed: " : "as given: ") + text);
-}
-
-Sorted segment_labels(const ValueMap& map, const ConvertOptions& o, ConvertReport& report) {
-  refuse_median(o, Segmentation::labels);
-  const bool guessed = o.label_phases.empty();
-  const std::vector<std::string> phases = guessed ? guess_label_phases(map) : mapped_phases(map, o);
-  note(report, "read as a map of " + counted(map.count(), map.colours ? "colour" : "label"));
-  note_values(map, phases, guessed, report);
-  Sorted sorted;
-  fill_cells(sorted, map.code, phases);
-  return sorted;
-}
-
-Sorted segment_instances(const ValueMap& map, const ConvertOptions& o, ConvertReport& report) {
-  refuse_median(o, Segmentation::instances);
-  if (map.colours)
-    throw Error("convert.method", "instances for a colour picture",
-                "grains are distinguished by whole numbers", "use labels");
-  if (map.values.front() < 0)
-    throw Error("convert.method", "instances with the value " + std::to_string(map.values.front()),
-                "0 = matrix, and each grain has a number above 0");
-  const bool has_matrix = map.values.front() == 0;
-  Sorted sorted;
-  sorted.keeps_grains = true;
-  sorted.cells = Raster<Cell>(map.code.rows, map.code.cols);
-  std::transform(
-      map.code.data.begin(), map.code.data.end(), sorted.cells.data.begin(),
-      [&](std::int32_t code) { return has_matrix && code == 0 ? Cell{phase::mortar} : grain(code + 1); });
-  note(report, "read as a map of " + counted(map.count() - (has_matrix ? 1 : 0), "grain") + ", 0 = mortar");
-  return sorted;
-}
-
-// ---- photographs ----
 
 /// Edge of the median filter: as given, or 1 % of the shorter side, which leaves what a mask can show.
 int median_edge(const ConvertOptions& o, int rows, int cols) {
@@ -177,6 +86,73 @@ std::vector<double> thresholds_of(const Raster<double>& channel, const ConvertOp
   return otsu_thresholds(channel, o.classes != 0 ? o.classes : named != 0 ? named : 3);
 }
 
+/// A photograph whose outside is filled with mirror images of the middle of its inside, so that it neither
+/// leads the classes astray nor makes shapes of its own; hot pixels are tamed.
+struct Inside {
+  Picture picture;
+  OutsideMask outside;
+};
+
+bool is_inside(const OutsideMask& outside, const Crop& part) {
+  for (int r = part.y; r < part.y + part.height; ++r)
+    for (int c = part.x; c < part.x + part.width; ++c)
+      if (outside(r, c) != 0) return false;
+  return true;
+}
+
+/// A rectangle round the middle of the body that lies in it; of one pixel where there is no larger one.
+Crop middle_of(const OutsideMask& outside) {
+  double rows = 0, cols = 0, count = 0;
+  for (int r = 0; r < outside.rows; ++r)
+    for (int c = 0; c < outside.cols; ++c)
+      if (outside(r, c) == 0) rows += r, cols += c, ++count;
+  const int row = static_cast<int>(rows / std::max(1.0, count)),
+            col = static_cast<int>(cols / std::max(1.0, count));
+  for (double share = 0.95; share > 0.02; share -= 0.03) {
+    const int high = static_cast<int>(share * std::min(row, outside.rows - 1 - row));
+    const int wide = static_cast<int>(share * std::min(col, outside.cols - 1 - col));
+    const Crop part{col - wide, row - high, 2 * wide + 1, 2 * high + 1};
+    if (is_inside(outside, part)) return part;
+  }
+  return {col, row, 1, 1};
+}
+
+/// Place of a coordinate in a strip that is mirrored at its ends again and again.
+int mirrored(int at, int first, int length) {
+  const int period = 2 * length, turn = ((at - first) % period + period) % period;
+  return first + (turn < length ? turn : period - 1 - turn);
+}
+
+template <class T>
+void fill_outside(Raster<T>& values, const OutsideMask& outside, const Crop& middle) {
+  for (int r = 0; r < values.rows; ++r)
+    for (int c = 0; c < values.cols; ++c)
+      if (outside(r, c) != 0)
+        values(r, c) = values(mirrored(r, middle.y, middle.height), mirrored(c, middle.x, middle.width));
+}
+
+Inside inside_of(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
+  Inside inside{picture, {}};
+  Picture& p = inside.picture;
+  if (o.outside != Outside::none)
+    inside.outside = outside_of_photograph(picture, o.outside == Outside::void_);
+  else if (picture.opacity.empty())
+    inside.outside = without_value(picture);  // what is no number has no colour either
+  if (!inside.outside.empty()) {
+    const bool clear = !without_value(picture).empty();
+    const Crop middle = middle_of(inside.outside);
+    if (!p.gray.empty()) fill_outside(p.gray, inside.outside, middle);
+    if (!p.colour.empty()) fill_outside(p.colour, inside.outside, middle);
+    const auto pixels =
+        static_cast<double>(std::count(inside.outside.data.begin(), inside.outside.data.end(), 1));
+    note_outside(pixels, static_cast<double>(inside.outside.size()),
+                 clear ? "transparent or without a value" : "even and at the corners", report);
+  }
+  if (!p.gray.empty() && report.method != Segmentation::threshold)
+    if (std::string outliers = tame_outliers(p.gray); !outliers.empty()) note(report, std::move(outliers));
+  return inside;
+}
+
 Sorted segment_thresholds(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
   if (picture.colour.empty() && o.channel != "gray")
     throw Error("convert.channel", o.channel + " of a grey picture", "it has only the channel gray");
@@ -203,25 +179,12 @@ Sorted segment_thresholds(const Picture& picture, const ConvertOptions& o, Conve
   return sorted;
 }
 
-/// Grey as colour: 8-bit values as they are, others with their span brought to 0 ... 255.
-Raster<Rgb> as_colour(const Raster<double>& gray) {
-  const auto [low, high] = std::minmax_element(gray.data.begin(), gray.data.end());
-  const bool bytes = *low >= 0 && *high <= 255 && *high > 1;
-  const double start = bytes ? 0 : *low, scale = bytes ? 1 : *high > *low ? 255 / (*high - *low) : 0;
-  Raster<Rgb> colour(gray.rows, gray.cols);
-  std::transform(gray.data.begin(), gray.data.end(), colour.data.begin(), [&](double v) {
-    const auto level = static_cast<std::uint8_t>(std::lround((v - start) * scale));
-    return Rgb{level, level, level};
-  });
-  return colour;
-}
-
-ColourClasses classes_by_colour(const Raster<Rgb>& picture, const ConvertOptions& o, int& factor,
-                                ConvertReport& report) {
+ColourClasses classes_by_colour(const Raster<Rgb>& picture, bool has_black, const ConvertOptions& o,
+                                int& factor, ConvertReport& report) {
   const int count = o.classes != 0 ? o.classes : static_cast<int>(o.class_phases.size());
   const Raster<Lab> calm = to_lab(calmed(picture, o, factor, report));
   if (count != 0) return colour_classes(calm, count);
-  return automatic_classes(calm, to_lab(factor > 1 ? shrunk(picture, factor) : picture));
+  return automatic_classes(calm, to_lab(factor > 1 ? shrunk(picture, factor) : picture), has_black);
 }
 
 /// Phases of colour classes: the darkest is void when it has less than half of the lightness of the others'
@@ -237,8 +200,10 @@ std::vector<std::string> guessed_phases(const ColourClasses& found) {
 
 Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
   Sorted sorted;
-  const ColourClasses found = classes_by_colour(
-      picture.colour.empty() ? as_colour(picture.gray) : picture.colour, o, sorted.factor, report);
+  const bool is_gray = picture.colour.empty();
+  const ColourClasses found =
+      classes_by_colour(is_gray ? as_colour(picture.gray) : picture.colour,
+                        !is_gray || !is_spread(picture.gray), o, sorted.factor, report);
   const int count = static_cast<int>(found.centres.size());
   const bool guessed = o.class_phases.empty();
   if (!guessed && static_cast<int>(o.class_phases.size()) != count)
@@ -263,23 +228,37 @@ Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertR
 
 Sorted segment(const Picture& picture, const ConvertOptions& options, ConvertReport& report) {
   report.method = implied_method(options);
+  const bool automatic = report.method == Segmentation::automatic;
+  const bool wants_classes = options.classes != 0 || !options.class_phases.empty() || options.median > 1;
   std::optional<ValueMap> map;
-  if (report.method == Segmentation::automatic) {
-    const bool wants_classes = options.classes != 0 || !options.class_phases.empty() || options.median > 1;
-    if (!wants_classes) map = distinct_values(picture, most_grains);
+  const bool takes_labels = automatic || report.method == Segmentation::labels;
+  if (takes_labels && !wants_classes && options.label_phases.empty() && !picture.phases.empty())
+    if (std::optional<Sorted> own = segment_own(picture, report)) return std::move(*own);
+  if ((automatic && !wants_classes) || is_map_method(report.method))
+    map = map_of(picture, most_grains, report);
+  if (automatic && map && has_our_colours(*map)) {
+    Picture own = picture;
+    own.phases = standard_phases();
+    if (std::optional<Sorted> sorted = segment_own(own, report)) return std::move(*sorted);
+  }
+  if (automatic) {
     report.method = guess_method(map);
     note(report, "method " + method_name(report.method) + ", chosen from the picture");
   }
   switch (report.method) {
     case Segmentation::labels:
-      return segment_labels(map ? std::move(*map) : require_values(picture, 256, "labels"), options, report);
+      return segment_labels(require_values(std::move(map), 256, "labels"), picture, options, report);
     case Segmentation::instances:
-      return segment_instances(map ? std::move(*map) : require_values(picture, most_grains, "instances"),
-                               options, report);
-    case Segmentation::kmeans:
-      return segment_colours(picture, options, report);
-    default:
-      return segment_thresholds(picture, options, report);
+      return segment_instances(require_values(std::move(map), most_grains, "instances"), picture, options,
+                               report);
+    default: {
+      Inside inside = inside_of(picture, options, report);
+      Sorted sorted = report.method == Segmentation::kmeans
+                          ? segment_colours(inside.picture, options, report)
+                          : segment_thresholds(inside.picture, options, report);
+      sorted.outside = std::move(inside.outside);
+      return sorted;
+    }
   }
 }
 

@@ -18,6 +18,8 @@ struct Sorted {
   bool photograph = false;    ///< noisy: automatic cleaning applies
   bool drawing = false;       ///< a drawing in flat colours
   bool keeps_grains = false;  ///< the grains are those of an instance map
+  Raster<std::uint8_t>
+      outside{};  ///< 1 where a photograph shows no specimen, per pixel of it; empty = nowhere
 };
 
 /// Segment the picture by the method of the options; the report receives the method, the thresholds and

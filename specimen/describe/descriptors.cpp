@@ -52,8 +52,8 @@ std::vector<OutlinePoint> outline_points(const Specimen& specimen) {
   for (std::size_t i = 0; i < specimen.inclusions.size(); ++i) {
     const Inclusion& inclusion = specimen.inclusions[i];
     const int pixels = static_cast<int>(std::min(1e5, inclusion.perimeter / specimen.mask.pixel_size));
-    for (const Point p : make_ring(inclusion, std::max(least_segments, pixels)).vertices)
-      points.push_back({p, static_cast<int>(i)});
+    for (const Ring& ring : make_rings(inclusion, std::max(least_segments, pixels)))
+      for (const Point p : ring.vertices) points.push_back({p, static_cast<int>(i)});
   }
   return points;
 }

@@ -30,10 +30,10 @@ std::string lower_case_ending(const std::string& path) {
 
 Bytes encode_labels(const std::string& path, const LabelledMask& mask) {
   const std::string ending = lower_case_ending(path);
-  if (ending == ".png") return encode_png(path, mask.labels, mask.pixel_size);
-  if (ending == ".tif" || ending == ".tiff") return encode_tiff(path, mask.labels, mask.pixel_size);
-  if (ending == ".bmp") return encode_bmp(mask.labels, mask.pixel_size);
-  if (ending == ".pgm") return encode_pgm(mask.labels);
+  if (ending == ".png") return encode_png(path, mask);
+  if (ending == ".tif" || ending == ".tiff") return encode_tiff(path, mask);
+  if (ending == ".bmp") return encode_bmp(mask);
+  if (ending == ".pgm") return encode_pgm(mask);
   throw Error(path, ending.empty() ? "has no extension" : "has the extension " + ending,
               "labels are written as .png, .tif, .tiff, .bmp or .pgm", "choose one of these extensions",
               Fault::write);
@@ -61,8 +61,15 @@ Picture read_picture(const std::string& path, std::int64_t max_pixels) {
               "convert it to PNG");
 }
 
-void write_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size) {
-  const Bytes bytes = encode_png(path, picture, pixel_size);
+void write_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size, Origin origin) {
+  const Bytes bytes =
+      encode_png(path, picture, pixel_size, origin == Origin::unknown ? "" : own_words(origin, {}));
+  replace_file(path, std::as_bytes(std::span(bytes)));
+}
+
+void write_preview(const std::string& path, const LabelledMask& mask) {
+  const Bytes bytes =
+      encode_png(path, preview(mask), mask.pixel_size, own_words(Origin::preview, mask.phases));
   replace_file(path, std::as_bytes(std::span(bytes)));
 }
 
@@ -73,6 +80,11 @@ void write_labels(const std::string& path, const LabelledMask& mask) {
 
 void write_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& values, double pixel_size) {
   const Bytes bytes = encode_imagej_tiff(path, values, pixel_size);
+  replace_file(path, std::as_bytes(std::span(bytes)));
+}
+
+void write_imagej_tiff(const std::string& path, const LabelledMask& mask) {
+  const Bytes bytes = encode_imagej_tiff(path, mask);
   replace_file(path, std::as_bytes(std::span(bytes)));
 }
 

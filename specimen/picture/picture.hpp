@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "specimen/body/mask.hpp"
 #include "specimen/body/raster.hpp"
@@ -15,15 +16,28 @@ struct Rgb {
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
+/// What a file of this program says that it is.
+enum class Origin {
+  unknown,  ///< another program's, or one without room for such a word
+  labels,   ///< a label map: each value is the number of a phase
+  preview,  ///< a mask in the colours of its phases
+  drawing,  ///< drawn to be looked at: damage, stress
+};
+
 /// A picture as read from a file: one channel of grey values or labels, or colour.
-/// Grey values are as stored, and an alpha channel beside them is ignored; transparent colours are blended
-/// with white. A picture with a palette has both its colours and the indices into the palette.
+/// Grey values are as stored. A picture with a palette has both its colours and the indices into the palette.
 struct Picture {
-  Raster<double> gray;           ///< values as stored (1 to 32 bit integer, float); empty for colour
-  Raster<Rgb> colour;            ///< empty for grey
+  Raster<double> gray;  ///< values as stored (1 to 64 bit integer, float, perhaps NaN); empty for colour
+  Raster<Rgb> colour;   ///< empty for grey; where it is transparent, as stored
   Raster<std::uint8_t> indices;  ///< into the palette; empty if there is none
+  Raster<std::uint8_t> opacity;  ///< 0 = transparent, 255 = opaque; empty if all is opaque
   int bits = 8;                  ///< bits per channel, as stored
-  double pixel_size = 0;         ///< from the resolution tag [m]; 0 = no tag
+  double pixel_size = 0;         ///< width of a pixel from the resolution tag [m]; 0 = no tag
+  double pixel_aspect = 1;       ///< height of a pixel over its width, as the file says [-]
+  bool lossy = false;            ///< JPEG: values are not those that were saved
+  Origin origin = Origin::unknown;
+  std::vector<std::string> phases{};  ///< of the labels, where the origin is known
+  std::vector<std::string> notes{};   ///< what was left out of the file, one sentence each
   [[nodiscard]] int rows() const { return gray.empty() ? colour.rows : gray.rows; }
   [[nodiscard]] int cols() const { return gray.empty() ? colour.cols : gray.cols; }
 };
@@ -34,12 +48,17 @@ struct Picture {
 [[nodiscard]] Picture read_picture(const std::string& path, std::int64_t max_pixels = 200'000'000);
 
 /// Write RGB as PNG, to a temporary name that is then renamed.
-/// @param pixel_size  [m], written as pHYs tag; 0 = no tag.   @throws Error (Fault::write).
-void write_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size = 0);
+/// @param pixel_size  [m], written as pHYs tag; 0 = no tag.   @param origin  drawing: the file says that it
+/// is one.   @throws Error (Fault::write).
+void write_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size = 0,
+               Origin origin = Origin::unknown);
+
+/// Write preview() of a mask as PNG, which says so.   @throws Error (Fault::write).
+void write_preview(const std::string& path, const LabelledMask& mask);
 
 /// Write 8-bit labels in the format of the file extension: .png, .tif, .tiff (with the scale in the
-/// resolution tags), .bmp, .pgm. Reading them gives the same labels.   @throws Error for another extension,
-/// or if the disk fails.
+/// resolution tags), .bmp, .pgm. They say that they are labels; reading them gives the same ones.   @throws
+/// Error for another extension, or if the disk fails.
 void write_labels(const std::string& path, const LabelledMask& mask);
 
 /// Write one channel as a TIFF that ImageJ and Fiji open with its scale in mm. They read the unit from the
@@ -48,6 +67,8 @@ void write_labels(const std::string& path, const LabelledMask& mask);
 /// @param pixel_size  [m].   @throws Error (Fault::write).
 void write_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& values, double pixel_size);
 void write_imagej_tiff(const std::string& path, const Raster<float>& values, double pixel_size);
+/// The labels of a mask, which the file says they are.
+void write_imagej_tiff(const std::string& path, const LabelledMask& mask);
 
 /// Colour of each phase: void white, aggregate blue-grey, mortar sand, ITZ dark orange, others from a
 /// colour-blind-safe list.

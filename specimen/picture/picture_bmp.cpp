@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t file_header_size = 14, info_header_size = 40;
 constexpr std::uint32_t uncompressed = 0, bit_fields = 3;
+constexpr std::uint32_t own_mark = 0x7870736d;  ///< "mspx" in the four bytes that every program may use
 
 std::uint32_t little_endian(const std::uint8_t* p, int width) {
   std::uint32_t value = 0;
@@ -25,7 +26,8 @@ struct BmpHeader {
   std::uint32_t palette_size = 0;
   int rows = 0, cols = 0, bits = 0;
   bool top_down = false;
-  double pixel_size = 0;  ///< [m]
+  PixelShape shape{};
+  bool ours = false;  ///< labels that this program wrote
   [[nodiscard]] std::int64_t stride() const {
     return (std::int64_t{cols} * bits + 31) / 32 * 4;
   }  ///< [bytes]
@@ -76,8 +78,9 @@ BmpHeader read_header(const PictureSource& source) {
   header.rows = static_cast<int>(std::abs(std::int64_t{rows}));
   header.cols = cols;
   check_size(source, header.rows, header.cols, header.stride() * header.rows);
-  header.pixel_size = pixel_size_of(static_cast<std::int32_t>(little_endian(&info[24], 4)),
-                                    static_cast<std::int32_t>(little_endian(&info[28], 4)));
+  header.ours = little_endian(&file[6], 4) == own_mark;
+  header.shape = pixel_shape_of(static_cast<std::int32_t>(little_endian(&info[24], 4)),
+                                static_cast<std::int32_t>(little_endian(&info[28], 4)));
   header.palette_size = little_endian(&info[32], 4);
   if (header.bits <= 8 && header.palette_size == 0) header.palette_size = 1U << header.bits;
   return header;
@@ -124,7 +127,8 @@ Picture read_bmp(const PictureSource& source) {
   const BmpHeader header = read_header(source);
   Picture picture;
   picture.bits = std::min(header.bits, 8);
-  picture.pixel_size = header.pixel_size;
+  set_shape(picture, header.shape);
+  if (header.ours) set_origin(picture, own_words(Origin::labels, standard_phases()));
   if (header.bits > 8) {
     picture.colour = Raster<Rgb>(header.rows, header.cols);
     const auto step = static_cast<std::size_t>(header.bits / 8);
@@ -145,7 +149,9 @@ Picture read_bmp(const PictureSource& source) {
   return picture;
 }
 
-Bytes encode_bmp(const Raster<std::uint8_t>& labels, double pixel_size) {
+Bytes encode_bmp(const LabelledMask& mask) {
+  const Raster<std::uint8_t>& labels = mask.labels;
+  const double pixel_size = mask.pixel_size;
   const auto cols = static_cast<std::uint32_t>(labels.cols), rows = static_cast<std::uint32_t>(labels.rows);
   const std::uint32_t stride = (cols + 3) / 4 * 4;
   constexpr std::uint32_t pixels_at = file_header_size + info_header_size + 256 * 4;
@@ -153,7 +159,7 @@ Bytes encode_bmp(const Raster<std::uint8_t>& labels, double pixel_size) {
       pixel_size > 0 ? static_cast<std::uint32_t>(std::clamp(std::round(1 / pixel_size), 1.0, 2e9)) : 0U;
   Bytes bytes{'B', 'M'};
   put(bytes, pixels_at + stride * rows, 4);
-  put(bytes, 0, 4);
+  put(bytes, mask.phases == standard_phases() ? own_mark : 0, 4);
   put(bytes, pixels_at, 4);
   put(bytes, info_header_size, 4);
   put(bytes, cols, 4);

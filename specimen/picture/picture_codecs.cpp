@@ -35,8 +35,10 @@ struct ExifBytes {
 
 ExifTags read_exif(std::span<const std::uint8_t> block) {
   constexpr std::string_view start("Exif\0\0", 6);
-  if (block.size() < start.size() + 8 || !std::equal(start.begin(), start.end(), block.begin())) return {};
-  ExifBytes tiff{block.subspan(start.size())};
+  const bool has_start =
+      block.size() >= start.size() && std::equal(start.begin(), start.end(), block.begin());
+  ExifBytes tiff{has_start ? block.subspan(start.size()) : block};
+  if (tiff.bytes.size() < 8 || (tiff.bytes[0] != 'M' && tiff.bytes[0] != 'I')) return {};
   tiff.big_endian = tiff.bytes[0] == 'M';
 
   ExifTags tags;
@@ -55,9 +57,37 @@ ExifTags read_exif(std::span<const std::uint8_t> block) {
     if (*tag == tag_y) y = tiff.ratio(tiff.number(value, 4).value_or(0));
   }
   if (tags.orientation < 1 || tags.orientation > 8) tags.orientation = 1;
-  if (unit == 2) tags.pixel_size = pixel_size_of(x / inch, y / inch);
-  if (unit == 3) tags.pixel_size = pixel_size_of(x / centimetre, y / centimetre);
+  if (unit == 2) tags.shape = pixel_shape_of(x / inch, y / inch);
+  if (unit == 3) tags.shape = pixel_shape_of(x / centimetre, y / centimetre);
   return tags;
+}
+
+std::string own_words(Origin origin, const std::vector<std::string>& phases) {
+  if (origin == Origin::drawing) return "drawing";
+  std::string words;
+  for (const std::string& phase : phases) words += (words.empty() ? "" : ",") + phase;
+  return (origin == Origin::preview ? "preview " : "labels ") + words;
+}
+
+void set_origin(Picture& picture, std::string_view words) {
+  if (words == "drawing") picture.origin = Origin::drawing;
+  for (const auto& [start, origin] : {std::pair(std::string_view("labels "), Origin::labels),
+                                      {std::string_view("preview "), Origin::preview}}) {
+    if (words.substr(0, start.size()) != start) continue;
+    picture.origin = origin;
+    for (std::string_view rest = words.substr(start.size()); !rest.empty();) {
+      const std::size_t end = std::min(rest.find(','), rest.size());
+      picture.phases.emplace_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (picture.phases.size() < 4 || picture.phases.size() > 256) picture.phases.clear();
+  }
+}
+
+void drop_if_opaque(Picture& picture) {
+  constexpr std::uint8_t opaque = 255;
+  const auto& data = picture.opacity.data;
+  if (std::all_of(data.begin(), data.end(), [](std::uint8_t a) { return a == opaque; })) picture.opacity = {};
 }
 
 namespace {
@@ -80,7 +110,7 @@ bool all_gray(const std::vector<Rgb>& palette) {
 }  // namespace
 
 void set_palette_pixels(Picture& picture, const PictureSource& source, Raster<std::uint8_t> indices,
-                        const std::vector<Rgb>& palette) {
+                        const std::vector<Rgb>& palette, const std::vector<std::uint8_t>& opacity) {
   check_indices(source, indices, palette.size());
   if (all_gray(palette)) {
     picture.gray = Raster<double>(indices.rows, indices.cols);
@@ -90,6 +120,12 @@ void set_palette_pixels(Picture& picture, const PictureSource& source, Raster<st
     picture.colour = Raster<Rgb>(indices.rows, indices.cols);
     std::transform(indices.data.begin(), indices.data.end(), picture.colour.data.begin(),
                    [&](std::uint8_t index) { return palette[index]; });
+  }
+  if (!opacity.empty()) {
+    picture.opacity = Raster<std::uint8_t>(indices.rows, indices.cols);
+    std::transform(indices.data.begin(), indices.data.end(), picture.opacity.data.begin(),
+                   [&](std::uint8_t index) { return index < opacity.size() ? opacity[index] : 255; });
+    drop_if_opaque(picture);
   }
   picture.indices = std::move(indices);
 }

@@ -4,27 +4,40 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "specimen/picture/picture.hpp"
 #include "specimen/picture/picture_file.hpp"
+#include "specimen/picture/picture_header.hpp"
 
 namespace specimen {
 
 struct ExifTags {
-  int orientation = 1;    ///< 1 to 8, see upright()
-  double pixel_size = 0;  ///< [m]; 0 = unknown
+  int orientation = 1;  ///< 1 to 8, see upright()
+  PixelShape shape{};
 };
 
-/// Read the first directory of an EXIF block ("Exif\0\0", then a small TIFF). Missing or damaged entries
-/// keep their defaults: the pixels do not depend on them.
+/// Read the first directory of an EXIF block: a small TIFF, in JPEG with "Exif\0\0" before it. Missing or
+/// damaged entries keep their defaults: the pixels do not depend on them.
 [[nodiscard]] ExifTags read_exif(std::span<const std::uint8_t> block);
 
+/// Forget an opacity that is full everywhere.
+void drop_if_opaque(Picture& picture);
+
+/// What this program writes into its own pictures: "labels void,aggregate,mortar,itz", "preview ...",
+/// "drawing".
+inline constexpr const char* own_keyword = "mesopix";
+[[nodiscard]] std::string own_words(Origin origin, const std::vector<std::string>& phases);
+/// Set origin and phases of a picture by these words; others are passed over.
+void set_origin(Picture& picture, std::string_view words);
+
 /// Fill a picture from indices and a palette: with the indices, and with the colours, or grey values if the
-/// palette has only greys.
+/// palette has only greys; with the opacity of the indices, where some are given.
 /// @throws Error naming the first pixel whose index is not in the palette.
 void set_palette_pixels(Picture& picture, const PictureSource& source, Raster<std::uint8_t> indices,
-                        const std::vector<Rgb>& palette);
+                        const std::vector<Rgb>& palette, const std::vector<std::uint8_t>& opacity = {});
 
 /// Readers, from the start of the file. They check the size before they decode.
 /// @throws Error naming the file and the fault.
@@ -34,19 +47,20 @@ void set_palette_pixels(Picture& picture, const PictureSource& source, Raster<st
 [[nodiscard]] Picture read_bmp(const PictureSource& source);
 [[nodiscard]] Picture read_pnm(const PictureSource& source);
 
-/// Writers into memory; pixel_size [m] is written as resolution tag if > 0.
-/// @param path  only for error messages.
-[[nodiscard]] Bytes encode_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size);
-[[nodiscard]] Bytes encode_png(const std::string& path, const Raster<std::uint8_t>& labels,
-                               double pixel_size);
-[[nodiscard]] Bytes encode_tiff(const std::string& path, const Raster<std::uint8_t>& labels,
-                                double pixel_size);
+/// Writers into memory; pixel_size [m] is written as resolution tag if > 0. Labels are marked as such, where
+/// the format has room for it.
+/// @param path  only for error messages.   @param words  own_words() of the picture; empty = another's.
+[[nodiscard]] Bytes encode_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size,
+                               const std::string& words);
+[[nodiscard]] Bytes encode_png(const std::string& path, const LabelledMask& mask);
+[[nodiscard]] Bytes encode_tiff(const std::string& path, const LabelledMask& mask);
 /// With the scale in the form that ImageJ reads.
 [[nodiscard]] Bytes encode_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& values,
                                        double pixel_size);
 [[nodiscard]] Bytes encode_imagej_tiff(const std::string& path, const Raster<float>& values,
                                        double pixel_size);
-[[nodiscard]] Bytes encode_bmp(const Raster<std::uint8_t>& labels, double pixel_size);
-[[nodiscard]] Bytes encode_pgm(const Raster<std::uint8_t>& labels);
+[[nodiscard]] Bytes encode_imagej_tiff(const std::string& path, const LabelledMask& mask);
+[[nodiscard]] Bytes encode_bmp(const LabelledMask& mask);
+[[nodiscard]] Bytes encode_pgm(const LabelledMask& mask);
 
 }  // namespace specimen

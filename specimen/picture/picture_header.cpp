@@ -56,11 +56,13 @@ void check_size(const PictureSource& source, std::int64_t rows, std::int64_t col
                       "is truncated: " + std::to_string(source.bytes) + " bytes cannot hold " + size);
 }
 
-double pixel_size_of(double per_metre_x, double per_metre_y) {
+PixelShape pixel_shape_of(double per_metre_x, double per_metre_y) {
   const bool usable =
       std::isfinite(per_metre_x) && std::isfinite(per_metre_y) && per_metre_x > 0 && per_metre_y > 0;
-  if (!usable || std::abs(per_metre_x - per_metre_y) > 0.01 * per_metre_x) return 0;
-  return 1 / per_metre_x;
+  if (!usable) return {};
+  const double aspect = per_metre_x / per_metre_y;
+  if (aspect > 10 || aspect < 0.1) return {};
+  return {1 / per_metre_x, std::abs(aspect - 1) <= 0.01 ? 1 : aspect};
 }
 
 Picture upright(Picture picture, int orientation) {
@@ -68,6 +70,11 @@ Picture upright(Picture picture, int orientation) {
   picture.gray = upright(picture.gray, orientation);
   picture.colour = upright(picture.colour, orientation);
   picture.indices = upright(picture.indices, orientation);
+  picture.opacity = upright(picture.opacity, orientation);
+  if (orientation >= 5) {
+    picture.pixel_size *= picture.pixel_aspect;
+    picture.pixel_aspect = 1 / picture.pixel_aspect;
+  }
   return picture;
 }
 

@@ -21,21 +21,24 @@ enum class PictureFormat { unknown, png, jpeg, tiff, bmp, pnm };
 /// @throws Error for an empty or too large picture, or one whose pixels cannot be in the file.
 void check_size(const PictureSource& source, std::int64_t rows, std::int64_t cols, std::int64_t least_bytes);
 
-/// Pixel size [m] from resolutions [pixels per metre] along x and y; 0 if a pixel would not be square
-/// (within 1 %) or a resolution is not a positive number.
-[[nodiscard]] double pixel_size_of(double per_metre_x, double per_metre_y);
+/// Width and shape of a pixel.
+struct PixelShape {
+  double width = 0;   ///< [m]; 0 = unknown
+  double aspect = 1;  ///< height over width [-]
+};
+
+/// Shape of a pixel from resolutions [pixels per metre] along x and y; square within 1 %. Unknown if one of
+/// them is not a positive number, or if one is more than ten times the other.
+[[nodiscard]] PixelShape pixel_shape_of(double per_metre_x, double per_metre_y);
+
+/// Give a picture this shape of its pixels.
+inline void set_shape(Picture& picture, PixelShape shape) {
+  picture.pixel_size = shape.width;
+  picture.pixel_aspect = shape.aspect;
+}
 
 inline constexpr double inch = 0.0254;      ///< [m]
 inline constexpr double centimetre = 0.01;  ///< [m]
-inline constexpr Rgb paper{255, 255, 255};  ///< background of transparent pixels
-
-/// A colour with an opacity (0 to 255), blended with the background.
-[[nodiscard]] inline Rgb on_paper(Rgb colour, std::uint8_t opacity) {
-  const auto mix = [&](int c, int under) {
-    return static_cast<std::uint8_t>((c * opacity + under * (255 - opacity) + 127) / 255);
-  };
-  return {mix(colour.r, paper.r), mix(colour.g, paper.g), mix(colour.b, paper.b)};
-}
 
 /// Turn a picture upright.
 /// @param orientation  1 to 8 as TIFF and EXIF count them: which side of the scene row 0 and column 0 are;

@@ -115,15 +115,17 @@ ExifTags exif(const JpegReader& reader) {
   for (const jpeg_marker_struct* m = reader.jpeg.marker_list; m != nullptr; m = m->next)
     if (m->marker == JPEG_APP0 + 1) {
       const ExifTags tags = read_exif({m->data, m->data_length});
-      if (tags.orientation != 1 || tags.pixel_size > 0) return tags;
+      if (tags.orientation != 1 || tags.shape.width > 0) return tags;
     }
   return {};
 }
 
-double jfif_pixel_size(const jpeg_decompress_struct& jpeg) {
-  if (!jpeg.saw_JFIF_marker || jpeg.density_unit < 1 || jpeg.density_unit > 2) return 0;
-  const double unit = jpeg.density_unit == 1 ? inch : centimetre;
-  return pixel_size_of(jpeg.X_density / unit, jpeg.Y_density / unit);
+PixelShape jfif_shape(const jpeg_decompress_struct& jpeg) {
+  if (!jpeg.saw_JFIF_marker) return {};
+  const double unit = jpeg.density_unit == 2 ? centimetre : inch;
+  PixelShape shape = pixel_shape_of(jpeg.X_density / unit, jpeg.Y_density / unit);
+  if (jpeg.density_unit < 1 || jpeg.density_unit > 2) shape.width = 0;  // a ratio alone
+  return shape;
 }
 
 void store_row(Picture& picture, int row, const Bytes& samples, const jpeg_decompress_struct& jpeg) {
@@ -154,8 +156,9 @@ Picture read_jpeg(const PictureSource& source) {
 
   Picture picture;
   const ExifTags tags = exif(reader);
-  picture.pixel_size = jfif_pixel_size(reader.jpeg);
-  if (picture.pixel_size == 0) picture.pixel_size = tags.pixel_size;
+  picture.lossy = true;
+  set_shape(picture, jfif_shape(reader.jpeg));
+  if (picture.pixel_size == 0 && tags.shape.width > 0) set_shape(picture, tags.shape);
   const int rows = static_cast<int>(reader.jpeg.output_height),
             cols = static_cast<int>(reader.jpeg.output_width);
   if (reader.jpeg.out_color_space == JCS_GRAYSCALE)

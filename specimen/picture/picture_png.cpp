@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "specimen/picture/picture_codecs.hpp"
@@ -75,7 +76,9 @@ bool is_animation(const PngReader& reader) {
 bool choose_transforms(PngReader& reader) {
   if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
   png_set_packing(reader.png);
-  if (reader.gray()) png_set_strip_alpha(reader.png);
+  // One transparent colour of a picture without a palette: opacity of its own.
+  if (!reader.palette() && png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0)
+    png_set_tRNS_to_alpha(reader.png);
   if (!reader.gray() && !reader.palette()) png_set_scale_16(reader.png);
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
@@ -89,28 +92,57 @@ bool read_pixels(PngReader& reader, png_bytepp rows) {
   return true;
 }
 
-double pixel_size(const PngReader& reader) {
+PixelShape pixel_shape(const PngReader& reader) {
   png_uint_32 x = 0, y = 0;
   int unit = PNG_RESOLUTION_UNKNOWN;
-  if (png_get_pHYs(reader.png, reader.info, &x, &y, &unit) == 0 || unit != PNG_RESOLUTION_METER) return 0;
-  return pixel_size_of(x, y);
+  if (png_get_pHYs(reader.png, reader.info, &x, &y, &unit) == 0) return {};
+  PixelShape shape = pixel_shape_of(x, y);
+  if (unit != PNG_RESOLUTION_METER) shape.width = 0;  // a ratio alone
+  return shape;
 }
 
-Raster<double> gray_values(const Bytes& bytes, int rows, int cols, bool two_bytes) {
-  Raster<double> gray(rows, cols);
-  for (std::size_t i = 0; i < gray.size(); ++i)
-    gray.data[i] = two_bytes ? bytes[2 * i] * 256 + bytes[2 * i + 1] : bytes[i];
-  return gray;
+/// What this program has written into it.
+void read_words(const PngReader& reader, Picture& picture) {
+  png_textp texts = nullptr;
+  int count = 0;
+  png_get_text(reader.png, reader.info, &texts, &count);
+  for (int i = 0; i < count; ++i)
+    if (std::string_view(texts[i].key) == own_keyword && texts[i].text != nullptr)
+      set_origin(picture, texts[i].text);
 }
 
-Raster<Rgb> colours(const Bytes& bytes, int rows, int cols, std::size_t channels) {
-  Raster<Rgb> colour(rows, cols);
-  for (std::size_t i = 0; i < colour.size(); ++i) {
-    const std::uint8_t* p = &bytes[i * channels];
-    const Rgb c{p[0], p[1], p[2]};
-    colour.data[i] = channels == 4 ? on_paper(c, p[3]) : c;
+int orientation(const PngReader& reader) {
+  png_bytep block = nullptr;
+  png_uint_32 size = 0;
+  if (png_get_eXIf_1(reader.png, reader.info, &size, &block) == 0 || block == nullptr) return 1;
+  return read_exif({block, size}).orientation;
+}
+
+/// Rows of grey values, with an opacity after each where there are two channels.
+void set_gray(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels,
+              bool two_bytes) {
+  picture.gray = Raster<double>(rows, cols);
+  const std::size_t width = two_bytes ? 2 : 1;
+  for (std::size_t i = 0; i < picture.gray.size(); ++i) {
+    const std::uint8_t* p = &bytes[i * channels * width];
+    picture.gray.data[i] = two_bytes ? p[0] * 256 + p[1] : p[0];
   }
-  return colour;
+  if (channels < 2) return;
+  picture.opacity = Raster<std::uint8_t>(rows, cols);
+  for (std::size_t i = 0; i < picture.opacity.size(); ++i)
+    picture.opacity.data[i] = bytes[(i * channels + 1) * width];
+  drop_if_opaque(picture);
+}
+
+void set_colours(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels) {
+  picture.colour = Raster<Rgb>(rows, cols);
+  if (channels == 4) picture.opacity = Raster<std::uint8_t>(rows, cols);
+  for (std::size_t i = 0; i < picture.colour.size(); ++i) {
+    const std::uint8_t* p = &bytes[i * channels];
+    picture.colour.data[i] = {p[0], p[1], p[2]};
+    if (channels == 4) picture.opacity.data[i] = p[3];
+  }
+  drop_if_opaque(picture);
 }
 
 Raster<std::uint8_t> indices_of(Bytes bytes, int rows, int cols) {
@@ -125,14 +157,17 @@ std::vector<Rgb> palette_of(const PngReader& reader) {
   png_colorp entries = nullptr;
   int count = 0;
   png_get_PLTE(reader.png, reader.info, &entries, &count);
-  png_bytep opacity = nullptr;
-  int opacities = 0;
-  png_get_tRNS(reader.png, reader.info, &opacity, &opacities, nullptr);
   std::vector<Rgb> palette;
-  for (int i = 0; i < count; ++i)
-    palette.push_back(on_paper({entries[i].red, entries[i].green, entries[i].blue},
-                               i < opacities ? opacity[i] : std::uint8_t{255}));
+  for (int i = 0; i < count; ++i) palette.push_back({entries[i].red, entries[i].green, entries[i].blue});
   return palette;
+}
+
+std::vector<std::uint8_t> opacity_of_palette(const PngReader& reader) {
+  png_bytep opacity = nullptr;
+  int count = 0;
+  png_get_tRNS(reader.png, reader.info, &opacity, &count, nullptr);
+  if (opacity == nullptr || count <= 0) return {};
+  return {opacity, opacity + count};
 }
 
 // ---- writing ----
@@ -167,8 +202,9 @@ void append(png_structp png, png_bytep data, std::size_t count) {
 struct PngPixels {
   int rows = 0, cols = 0, colour_type = 0;
   const std::uint8_t* data = nullptr;
-  std::size_t stride = 0;     ///< [bytes]
-  png_uint_32 per_metre = 0;  ///< 0 = no scale
+  std::size_t stride = 0;       ///< [bytes]
+  png_uint_32 per_metre = 0;    ///< 0 = no scale
+  const char* words = nullptr;  ///< own_words(); null = none
 };
 
 bool write_image(PngWriter& writer, const PngPixels& pixels, Bytes& bytes) {
@@ -180,6 +216,13 @@ bool write_image(PngWriter& writer, const PngPixels& pixels, Bytes& bytes) {
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (pixels.per_metre > 0)
     png_set_pHYs(writer.png, writer.info, pixels.per_metre, pixels.per_metre, PNG_RESOLUTION_METER);
+  if (pixels.words != nullptr) {
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(own_keyword);
+    text.text = const_cast<char*>(pixels.words);
+    png_set_text(writer.png, writer.info, &text, 1);
+  }
   png_write_info(writer.png, writer.info);
   for (int row = 0; row < pixels.rows; ++row)
     png_write_row(writer.png, pixels.data + static_cast<std::size_t>(row) * pixels.stride);
@@ -223,30 +266,38 @@ Picture read_png(const PictureSource& source) {
 
   Picture picture;
   picture.bits = bits;
-  picture.pixel_size = pixel_size(reader);
+  set_shape(picture, pixel_shape(reader));
+  read_words(reader, picture);
   const int rows = static_cast<int>(n_rows), cols = static_cast<int>(n_cols);
-  if (reader.gray())
-    picture.gray = gray_values(bytes, rows, cols, bits == 16);
-  else if (reader.palette())
-    set_palette_pixels(picture, source, indices_of(std::move(bytes), rows, cols), palette_of(reader));
+  const std::size_t channels = png_get_channels(reader.png, reader.info);
+  if (reader.palette())
+    set_palette_pixels(picture, source, indices_of(std::move(bytes), rows, cols), palette_of(reader),
+                       opacity_of_palette(reader));
+  else if (reader.gray())
+    set_gray(picture, bytes, rows, cols, channels, bits == 16);
   else
-    picture.colour = colours(bytes, rows, cols, png_get_channels(reader.png, reader.info));
-  return picture;
+    set_colours(picture, bytes, rows, cols, channels);
+  return upright(std::move(picture), orientation(reader));
 }
 
-Bytes encode_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size) {
+Bytes encode_png(const std::string& path, const Raster<Rgb>& picture, double pixel_size,
+                 const std::string& words) {
   static_assert(sizeof(Rgb) == 3, "rows of Rgb are handed to libpng as they are");
   PngPixels pixels{picture.rows, picture.cols, PNG_COLOR_TYPE_RGB};
   pixels.data = reinterpret_cast<const std::uint8_t*>(picture.data.data());
   pixels.stride = static_cast<std::size_t>(picture.cols) * 3;
+  if (!words.empty()) pixels.words = words.c_str();
   return encode(path, pixels, pixel_size);
 }
 
-Bytes encode_png(const std::string& path, const Raster<std::uint8_t>& labels, double pixel_size) {
+Bytes encode_png(const std::string& path, const LabelledMask& mask) {
+  const Raster<std::uint8_t>& labels = mask.labels;
+  const std::string words = own_words(Origin::labels, mask.phases);
   PngPixels pixels{labels.rows, labels.cols, PNG_COLOR_TYPE_GRAY};
   pixels.data = labels.data.data();
   pixels.stride = static_cast<std::size_t>(labels.cols);
-  return encode(path, pixels, pixel_size);
+  pixels.words = words.c_str();
+  return encode(path, pixels, mask.pixel_size);
 }
 
 }  // namespace specimen

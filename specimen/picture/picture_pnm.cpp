@@ -8,6 +8,9 @@
 namespace specimen {
 namespace {
 
+constexpr std::size_t longest_comment = 10'000;  ///< that is looked at [bytes]
+const std::string own_comment = "# mesopix ";
+
 /// The numbers of a PNM file, in text or in bytes.
 class PnmReader {
  public:
@@ -20,8 +23,14 @@ class PnmReader {
   int text_number() {
     int c = next();
     while (c == '#' || std::isspace(c) != 0) {
-      if (c == '#')
-        while (c != '\n' && c != EOF) c = next();
+      if (c == '#') {
+        std::string comment;
+        while (c != '\n' && c != EOF) {
+          if (comment.size() < longest_comment) comment += static_cast<char>(c);
+          c = next();
+        }
+        if (comment.starts_with(own_comment)) own_words_ = comment.substr(own_comment.size());
+      }
       c = next();
     }
     if (c == EOF) throw bad_picture(source_.path, "is truncated: the file ends before its last pixel");
@@ -34,6 +43,9 @@ class PnmReader {
     return static_cast<int>(value);
   }
 
+  /// What this program has written into the comment.
+  [[nodiscard]] const std::string& words() const { return own_words_; }
+
   /// Whether another picture begins where the file stands.
   bool another_follows() {
     int c = next();
@@ -43,6 +55,7 @@ class PnmReader {
 
  private:
   const PictureSource& source_;
+  std::string own_words_;
 };
 
 struct PnmHeader {
@@ -113,6 +126,7 @@ Picture read_pnm(const PictureSource& source) {
 
   Picture picture;
   picture.bits = header.bytes_a_value() * 8;
+  set_origin(picture, reader.words());
   if (header.colour)
     picture.colour = Raster<Rgb>(header.rows, header.cols);
   else
@@ -127,9 +141,10 @@ Picture read_pnm(const PictureSource& source) {
   return picture;
 }
 
-Bytes encode_pgm(const Raster<std::uint8_t>& labels) {
-  const std::string header =
-      "P5\n" + std::to_string(labels.cols) + " " + std::to_string(labels.rows) + "\n255\n";
+Bytes encode_pgm(const LabelledMask& mask) {
+  const Raster<std::uint8_t>& labels = mask.labels;
+  const std::string header = "P5\n" + own_comment + own_words(Origin::labels, mask.phases) + "\n" +
+                             std::to_string(labels.cols) + " " + std::to_string(labels.rows) + "\n255\n";
   Bytes bytes(header.begin(), header.end());
   bytes.insert(bytes.end(), labels.data.begin(), labels.data.end());
   return bytes;

@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "specimen/picture/picture_codecs.hpp"
 #include "specimen/picture/picture_header.hpp"
+#include "specimen/picture/picture_tiff_tags.hpp"
 #include "specimen/picture/picture_tiff_write.hpp"
 
 namespace specimen {
@@ -20,6 +20,7 @@ struct TiffTags {
   int bits = 1;                         ///< per sample
   int format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK;
   int orientation = ORIENTATION_TOPLEFT, planes = PLANARCONFIG_CONTIG;
+  std::vector<int> extra{};  ///< meaning of each sample after the colours, as EXTRASAMPLE_...
   [[nodiscard]] bool one_channel() const {
     return photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE ||
            photometric == PHOTOMETRIC_MASK || photometric == PHOTOMETRIC_PALETTE;
@@ -29,11 +30,6 @@ struct TiffTags {
     return planes == PLANARCONFIG_CONTIG ? static_cast<std::size_t>(samples) : 1;
   }
 };
-
-int short_tag(TIFF* tiff, std::uint32_t tag, int otherwise) {
-  std::uint16_t value = 0;
-  return TIFFGetFieldDefaulted(tiff, tag, &value) == 1 ? value : otherwise;
-}
 
 /// Bytes that one byte of a file can become at most; a claim beyond it is refused before memory is asked for.
 std::int64_t tightest_packing(int compression) {
@@ -68,43 +64,15 @@ TiffTags read_tags(TIFF* tiff, const PictureSource& source) {
       short_tag(tiff, TIFFTAG_PHOTOMETRIC, tags.samples >= 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
   tags.orientation = short_tag(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
   tags.planes = short_tag(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  std::uint16_t extras = 0;
+  const std::uint16_t* kinds = nullptr;
+  if (TIFFGetField(tiff, TIFFTAG_EXTRASAMPLES, &extras, &kinds) == 1 && kinds != nullptr)
+    tags.extra.assign(kinds, kinds + extras);
   if (tags.samples < 1 || tags.samples > 8)
     throw Error(source.path, "has " + std::to_string(tags.samples) + " channels", "1 to 8 are read");
   const int compression = short_tag(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
   check_size(source, rows, cols, std::int64_t{rows} * cols * tags.bits / 8 / tightest_packing(compression));
   return tags;
-}
-
-/// Unit of length in a description by ImageJ, which overrides the tag [m]; 0 = there is none that is known.
-double imagej_unit(TIFF* tiff) {
-  static const std::map<std::string_view, double> units{
-      {"nm", 1e-9}, {"um", 1e-6},       {"\\u00B5m", 1e-6}, {"micron", 1e-6}, {"microns", 1e-6},
-      {"mm", 1e-3}, {"cm", centimetre}, {"m", 1},           {"inch", inch}};
-  const char* description = nullptr;
-  if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description) != 1 || description == nullptr) return 0;
-  const std::string_view text(description);
-  constexpr std::string_view key = "\nunit=";
-  const std::size_t at = text.find(key);
-  if (text.substr(0, 7) != "ImageJ=" || at == std::string_view::npos) return 0;
-  const std::string_view rest = text.substr(at + key.size());
-  const auto unit = units.find(rest.substr(0, rest.find('\n')));
-  return unit == units.end() ? 0 : unit->second;
-}
-
-double unit_of_resolution(TIFF* tiff) {
-  if (const double unit = imagej_unit(tiff); unit > 0) return unit;
-  const int unit = short_tag(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-  if (unit == RESUNIT_CENTIMETER) return centimetre;
-  return unit == RESUNIT_INCH ? inch : 0;
-}
-
-double pixel_size(TIFF* tiff) {
-  float x = 0, y = 0;
-  if (TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &x) != 1 || TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &y) != 1)
-    return 0;
-  const double unit = unit_of_resolution(tiff);
-  if (unit == 0) return 0;
-  return pixel_size_of(static_cast<double>(x) / unit, static_cast<double>(y) / unit);
 }
 
 /// Values of one channel out of a row of interleaved samples.
@@ -136,16 +104,18 @@ Unpack choose_unpack(const TiffTags& tags, const PictureSource& source) {
   if (is_unsigned && tags.bits == 8) return unpack<std::uint8_t>;
   if (is_unsigned && tags.bits == 16) return unpack<std::uint16_t>;
   if (is_unsigned && tags.bits == 32) return unpack<std::uint32_t>;
+  if (is_unsigned && tags.bits == 64) return unpack<std::uint64_t>;
   if (is_signed && tags.bits == 8) return unpack<std::int8_t>;
   if (is_signed && tags.bits == 16) return unpack<std::int16_t>;
   if (is_signed && tags.bits == 32) return unpack<std::int32_t>;
+  if (is_signed && tags.bits == 64) return unpack<std::int64_t>;
   if (is_float && tags.bits == 32) return unpack<float>;
   if (is_float && tags.bits == 64) return unpack<double>;
   throw Error(
       source.path,
       "has samples of " + std::to_string(tags.bits) + " bits in format " + std::to_string(tags.format),
-      "integers of 1, 2, 4, 8, 16, 32 bits and floats of 32, 64 bits are read",
-      "save it as 8 or 16 bit grey");
+      "integers of 1, 2, 4, 8, 16, 32, 64 bits and floats of 32, 64 bits are read",
+      "save it as 8, 16 or 32 bit grey");
 }
 
 class TiffReader {
@@ -161,15 +131,21 @@ class TiffReader {
     check_alone();
     const TiffTags tags = read_tags(tiff_.get(), source_);
     check_tiles(tags);
+    check_slices();
+    check_samples(tags);
     Picture picture;
     picture.bits = tags.bits;
-    picture.pixel_size = pixel_size(tiff_.get());
-    if (!tags.one_channel())
+    set_shape(picture, tiff_pixel_shape(tiff_.get()));
+    read_tiff_words(tiff_.get(), picture);
+    if (tags.photometric == PHOTOMETRIC_RGB && tags.format == SAMPLEFORMAT_UINT &&
+        (tags.bits == 8 || tags.bits == 16))
+      read_rgb(tags, picture);
+    else if (!tags.one_channel())
       picture.colour = colours(tags);
     else if (tags.photometric == PHOTOMETRIC_PALETTE)
       read_palette_picture(tags, picture);
     else
-      picture.gray = gray(tags);
+      read_gray(tags, picture);
     return upright(std::move(picture), tags.orientation);
   }
 
@@ -192,6 +168,31 @@ class TiffReader {
     if (TIFFSetDirectory(tiff_.get(), 0) != 1) throw damaged();
   }
 
+  /// ImageJ keeps the slices of a large stack behind each other in one directory; others say so by a depth.
+  void check_slices() {
+    const std::string_view description = description_of(tiff_.get());
+    for (const char* key : {"images", "slices", "frames"}) {
+      const std::string count(imagej_value(description, key));
+      if (!count.empty() && count != "1")
+        throw several_pictures(source_.path, "is an ImageJ stack of " + count + " " + key);
+    }
+    if (const std::string count(imagej_value(description, "channels")); !count.empty() && count != "1")
+      throw several_pictures(source_.path, "is an ImageJ stack of " + count + " channels");
+    std::uint32_t depth = 1;
+    if (TIFFGetField(tiff_.get(), TIFFTAG_IMAGEDEPTH, &depth) == 1 && depth > 1)
+      throw several_pictures(source_.path, "is a TIFF of " + std::to_string(depth) + " slices");
+  }
+
+  static bool is_alpha(int kind) { return kind == EXTRASAMPLE_ASSOCALPHA || kind == EXTRASAMPLE_UNASSALPHA; }
+
+  /// Which of several values of a pixel is meant nobody can say, but for opacity.
+  void check_samples(const TiffTags& tags) const {
+    if (!tags.one_channel() || tags.samples == 1) return;
+    if (tags.samples == 2 && tags.extra.size() == 1 && is_alpha(tags.extra[0])) return;
+    throw Error(source_.path, "holds " + std::to_string(tags.samples) + " grey values a pixel",
+                "must hold one, or red, green and blue", "save the channel that you mean as a separate file");
+  }
+
   /// libtiff unpacks a tile in one piece, and a few bytes can claim one of any size.
   void check_tiles(const TiffTags& tags) {
     if (TIFFIsTiled(tiff_.get()) == 0) return;
@@ -205,25 +206,37 @@ class TiffReader {
                   "must not be larger than the picture", "save it without tiles");
   }
 
-  Raster<double> channel(const TiffTags& tags) {
+  /// Values of one sample of each pixel.
+  Raster<double> channel(const TiffTags& tags, int sample = 0) {
     const Unpack unpack_row = choose_unpack(tags, source_);
     Raster<double> values(tags.rows, tags.cols);
     if (TIFFIsTiled(tiff_.get()) != 0)
-      read_tiles(tags, unpack_row, values);
+      read_tiles(tags, unpack_row, sample, values);
     else
-      read_rows(tags, unpack_row, values);
+      read_rows(tags, unpack_row, sample, values);
     return values;
   }
 
-  void read_rows(const TiffTags& tags, Unpack unpack_row, Raster<double>& values) {
+  /// Bytes before the first value of a sample in rows of all samples; samples of less than a byte are alone.
+  static std::size_t start_of(const TiffTags& tags, int sample) {
+    const bool together = tags.planes == PLANARCONFIG_CONTIG;
+    return together ? static_cast<std::size_t>(sample) * static_cast<std::size_t>(tags.bits) / 8 : 0;
+  }
+  static std::uint16_t plane_of(const TiffTags& tags, int sample) {
+    return tags.planes == PLANARCONFIG_CONTIG ? std::uint16_t{0} : static_cast<std::uint16_t>(sample);
+  }
+
+  void read_rows(const TiffTags& tags, Unpack unpack_row, int sample, Raster<double>& values) {
     Bytes row(buffer_size(TIFFScanlineSize(tiff_.get())));
     for (int r = 0; r < tags.rows; ++r) {
-      if (TIFFReadScanline(tiff_.get(), row.data(), static_cast<std::uint32_t>(r), 0) < 0) throw damaged();
-      unpack_row(row.data(), tags.step(), tags.cols, &values(r, 0));
+      if (TIFFReadScanline(tiff_.get(), row.data(), static_cast<std::uint32_t>(r), plane_of(tags, sample)) <
+          0)
+        throw damaged();
+      unpack_row(row.data() + start_of(tags, sample), tags.step(), tags.cols, &values(r, 0));
     }
   }
 
-  void read_tiles(const TiffTags& tags, Unpack unpack_row, Raster<double>& values) {
+  void read_tiles(const TiffTags& tags, Unpack unpack_row, int sample, Raster<double>& values) {
     std::uint32_t tile_rows = 0, tile_cols = 0;
     TIFFGetField(tiff_.get(), TIFFTAG_TILELENGTH, &tile_rows);
     TIFFGetField(tiff_.get(), TIFFTAG_TILEWIDTH, &tile_cols);
@@ -233,9 +246,9 @@ class TiffReader {
     const auto rows = static_cast<std::uint32_t>(tags.rows), cols = static_cast<std::uint32_t>(tags.cols);
     for (std::uint32_t top = 0; top < rows; top += std::min(tile_rows, rows - top))
       for (std::uint32_t left = 0; left < cols; left += std::min(tile_cols, cols - left)) {
-        if (TIFFReadTile(tiff_.get(), tile.data(), left, top, 0, 0) < 0) throw damaged();
+        if (TIFFReadTile(tiff_.get(), tile.data(), left, top, 0, plane_of(tags, sample)) < 0) throw damaged();
         for (std::uint32_t r = 0; r < std::min(tile_rows, rows - top); ++r)
-          unpack_row(tile.data() + r * stride, tags.step(),
+          unpack_row(tile.data() + r * stride + start_of(tags, sample), tags.step(),
                      static_cast<int>(std::min(tile_cols, cols - left)),
                      &values(static_cast<int>(top + r), static_cast<int>(left)));
       }
@@ -247,27 +260,84 @@ class TiffReader {
     return static_cast<std::size_t>(size);
   }
 
-  Raster<double> gray(const TiffTags& tags) {
-    Raster<double> values = channel(tags);
+  void read_gray(const TiffTags& tags, Picture& picture) {
+    picture.gray = channel(tags);
     const bool counts = tags.format == SAMPLEFORMAT_UINT || tags.format == SAMPLEFORMAT_VOID;
     if (tags.photometric == PHOTOMETRIC_MINISWHITE && counts) {
       const double white = std::ldexp(1.0, tags.bits) - 1;
-      for (double& value : values.data) value = white - value;
+      for (double& value : picture.gray.data) value = white - value;
     }
-    check_finite(values);
-    return values;
+    check_values(tags, picture.gray);
+    if (tags.samples == 2) read_opacity(tags, 1, picture);
   }
 
-  void check_finite(const Raster<double>& values) const {
-    const auto is_bad = [](double value) { return !std::isfinite(value); };
+  void read_opacity(const TiffTags& tags, int sample, Picture& picture) {
+    const Raster<double> values = channel(tags, sample);
+    const double full = tags.format == SAMPLEFORMAT_UINT ? std::ldexp(1.0, tags.bits) - 1 : 1;
+    picture.opacity = Raster<std::uint8_t>(tags.rows, tags.cols);
+    std::transform(values.data.begin(), values.data.end(), picture.opacity.data.begin(), [&](double v) {
+      return static_cast<std::uint8_t>(std::lround(std::clamp(v / full, 0.0, 1.0) * 255));
+    });
+    drop_if_opaque(picture);
+  }
+
+  /// Red, green and blue; further samples are opacity where the file says so, else of no use here.
+  void read_rgb(const TiffTags& tags, Picture& picture) {
+    if (tags.samples < 3)
+      throw bad_picture(source_.path,
+                        "is a TIFF of colours with " + std::to_string(tags.samples) + " channels");
+    picture.colour = Raster<Rgb>(tags.rows, tags.cols);
+    const double scale = tags.bits == 16 ? 255.0 / 65535 : 1;
+    std::uint8_t Rgb::*const members[] = {&Rgb::r, &Rgb::g, &Rgb::b};
+    for (int k = 0; k < 3; ++k) {
+      const Raster<double> values = channel(tags, k);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        picture.colour.data[i].*members[k] = static_cast<std::uint8_t>(std::lround(values.data[i] * scale));
+    }
+    const int beside = tags.samples - 3;
+    const bool has_opacity = beside > 0 && !tags.extra.empty() && is_alpha(tags.extra[0]);
+    if (has_opacity) read_opacity(tags, 3, picture);
+    if (has_opacity && tags.extra[0] == EXTRASAMPLE_ASSOCALPHA) take_opacity_off(picture);
+    if (const int unused = beside - (has_opacity ? 1 : 0); unused > 0)
+      picture.notes.push_back(
+          "left out " +
+          std::string(unused == 1 ? "the channel" : "the " + std::to_string(unused) + " channels") +
+          " beside red, green and blue, which the file does not call opacity");
+  }
+
+  /// Colours that were multiplied by their opacity, as they were before.
+  static void take_opacity_off(Picture& picture) {
+    for (std::size_t i = 0; i < picture.opacity.size(); ++i) {
+      const int a = picture.opacity.data[i];
+      const auto full = [&](int c) {
+        return static_cast<std::uint8_t>(a == 0 ? 0 : std::min(255, (c * 255 + a / 2) / a));
+      };
+      Rgb& c = picture.colour.data[i];
+      c = {full(c.r), full(c.g), full(c.b)};
+    }
+  }
+
+  /// Not-a-number is a pixel without a value; infinity, and whole numbers that a double cannot tell apart,
+  /// are refused.
+  void check_values(const TiffTags& tags, const Raster<double>& values) const {
+    const auto place = [&](auto found) {
+      const std::int64_t at = found - values.data.begin();
+      return "the first in row " + std::to_string(at / values.cols) + ", column " +
+             std::to_string(at % values.cols);
+    };
+    const auto is_bad = [](double value) { return std::isinf(value); };
     const auto bad = std::find_if(values.data.begin(), values.data.end(), is_bad);
-    if (bad == values.data.end()) return;
-    const std::int64_t at = bad - values.data.begin();
-    throw bad_picture(source_.path,
-                      "holds " + std::to_string(std::count_if(bad, values.data.end(), is_bad)) +
-                          " pixels that are not finite (NaN or infinite), the first in row " +
-                          std::to_string(at / values.cols) + ", column " + std::to_string(at % values.cols),
-                      "replace them by a value, e.g. -1, first");
+    if (bad != values.data.end())
+      throw bad_picture(source_.path,
+                        "holds " + std::to_string(std::count_if(bad, values.data.end(), is_bad)) +
+                            " infinite pixels, " + place(bad),
+                        "replace them by a value, e.g. -1, first");
+    constexpr double exact = 9'007'199'254'740'992.0;  // 2^53
+    const auto large = std::find_if(values.data.begin(), values.data.end(),
+                                    [](double value) { return std::abs(value) > exact; });
+    if (tags.bits == 64 && tags.format != SAMPLEFORMAT_IEEEFP && large != values.data.end())
+      throw bad_picture(source_.path, "holds numbers above 2^53, " + place(large),
+                        "number the grains 1, 2, 3, ... instead");
   }
 
   void read_palette_picture(const TiffTags& tags, Picture& picture) {

@@ -90,7 +90,7 @@ void set_tags(TIFF* tiff, const Raster<T>& values) {
                std::is_floating_point_v<T> ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
   TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
   TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
 }
@@ -141,18 +141,23 @@ Bytes encode(const std::string& path, const Raster<T>& values, const std::functi
 }
 
 template <class T>
-Bytes encode_for_imagej(const std::string& path, const Raster<T>& values, double pixel_size) {
+Bytes encode_for_imagej(const std::string& path, const Raster<T>& values, double pixel_size,
+                        const std::string& words = {}) {
   return encode(path, values, [&](TIFF* tiff) {
-    TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, imagej_description(values).c_str());
+    std::string description = imagej_description(values);
+    if (!words.empty()) description += std::string(own_keyword) + "=" + words + "\n";
+    TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
     set_resolution(tiff, RESUNIT_NONE, 1e-3 / pixel_size);
   });
 }
 
 }  // namespace
 
-Bytes encode_tiff(const std::string& path, const Raster<std::uint8_t>& labels, double pixel_size) {
-  return encode(path, labels, [&](TIFF* tiff) {
-    if (pixel_size > 0) set_resolution(tiff, RESUNIT_CENTIMETER, centimetre / pixel_size);
+Bytes encode_tiff(const std::string& path, const LabelledMask& mask) {
+  return encode(path, mask.labels, [&](TIFF* tiff) {
+    const std::string words = std::string(own_keyword) + " " + own_words(Origin::labels, mask.phases);
+    TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, words.c_str());
+    if (mask.pixel_size > 0) set_resolution(tiff, RESUNIT_CENTIMETER, centimetre / mask.pixel_size);
   });
 }
 
@@ -162,6 +167,10 @@ Bytes encode_imagej_tiff(const std::string& path, const Raster<std::uint8_t>& va
 
 Bytes encode_imagej_tiff(const std::string& path, const Raster<float>& values, double pixel_size) {
   return encode_for_imagej(path, values, pixel_size);
+}
+
+Bytes encode_imagej_tiff(const std::string& path, const LabelledMask& mask) {
+  return encode_for_imagej(path, mask.labels, mask.pixel_size, own_words(Origin::labels, mask.phases));
 }
 
 }  // namespace specimen

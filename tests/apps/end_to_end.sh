@@ -119,6 +119,16 @@ has err 'mesopix: --velocity: 0.05; needs a unit; write e.g. "0.05 m/s"'
 expect 65 simulate specimen.h5 --mortr.young "20 GPa"
 has err "did you mean mortar?"
 [ "$(wc -l <err)" -eq 1 ] || fail "more than one line for one mistake"
+# A map that can be read in two ways: both commands, and one of them does.
+python3 -c 'print("P2 80 60 9\n" + "\n".join(" ".join("7" if c < 40 else "1" for c in range(80)) for r in range(60)))' >halves.pgm
+expect 65 convert halves.pgm --width "80 mm" -o halves.h5
+has err "the map can be read in two ways"
+has err 'mesopix convert halves.pgm --width '"'80 mm'"' --label-phases 1:aggregate,7:mortar -o halves.h5'
+has err "--label-phases 1:mortar,7:aggregate -o halves.h5"
+expect 0 convert halves.pgm --width "80 um" --label-phases 1:mortar,7:aggregate -q -o halves.h5
+has err "warning: the specimen is 0.08 mm wide"
+expect 0 convert halves.pgm --width "80 um" --label-phases 1:mortar,7:aggregate --json -q -o halves.h5
+has out '"warnings": ['
 echo "no picture" >note.png
 expect 65 convert note.png
 printf '\x89HDF\r\n\x1a\n and no more' >broken.h5

@@ -256,7 +256,8 @@ def check_memory():
     """Files much larger than what the program holds."""
     edge = 1300
     pathlib.Path("labels.pgm").write_bytes(f"P5\n{edge} {edge}\n255\n".encode() + b"\2\2\1\2" * (edge * edge // 4))
-    run(mesopix, "convert", "labels.pgm", "--pixel-size", f"{PIXEL} mm", "--itz-mode", "none", "-o", "specimen.h5")
+    run(mesopix, "convert", "labels.pgm", "--label-phases", "1:aggregate,2:mortar", "--pixel-size", f"{PIXEL} mm",
+        "--itz-mode", "none", "-o", "specimen.h5")
     for form in ("inp", "msh"):
         with subprocess.Popen([mesopix, "export", "specimen.h5", "--to", form, "-q"]) as process:
             _, status, usage = os.wait4(process.pid, 0)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "specimen/describe/doubts.hpp"
+
 #include "tests/apps/fake_run.hpp"
 
 namespace summary_test {
@@ -79,6 +81,17 @@ TEST(Summary, ListsThePicturesThatWereDrawnAndThoseThatWereNot) {
   EXPECT_EQ(figures["damage_pictures"][3]["strain"], 144e-6);
   ASSERT_FALSE(figures["notes"].empty());
   EXPECT_THAT(figures["notes"].back().get<std::string>(), testing::HasSubstr("125 % and 150 %"));
+}
+
+TEST(Summary, WarnsOfADoubtfulSpecimen) {
+  const FakeRun run = tension_run(30);
+  RunRecord record = run.record();
+  EXPECT_EQ(summary(record)["warnings"].size(), specimen::doubts_of(record.specimen).size());
+  specimen::Specimen from_picture = record.specimen;
+  from_picture.provenance.source = "photo.png";
+  from_picture.inclusions.clear();
+  const RunRecord doubtful{{from_picture, record.scene, "", "", "", {}}, record.result};
+  EXPECT_THAT(summary(doubtful)["warnings"].dump(), testing::HasSubstr("there is no aggregate"));
 }
 
 TEST(Summary, ReadsBackFromItsTextBitForBit) {

@@ -55,6 +55,15 @@ TEST(LabelNames, PairLabelsAndPhases) {
             "\"0\" does not fit; write each label as \"1: mortar\"");
 }
 
+TEST(LabelNames, TakeColoursAsNotesWriteThem) {
+  const auto names = app::LabelNamesCodec().read({List{text("#ff8000: void"), text("16711680: mortar")}});
+  ASSERT_EQ(names.size(), 2U);
+  EXPECT_EQ(names[0].first, 0xff8000);
+  EXPECT_EQ(names[0].second, "void");
+  EXPECT_EQ(names[1].first, 0xff0000);
+  EXPECT_NE(complaint_about(app::LabelNamesCodec(), {List{text("#ff80: void")}}), "");
+}
+
 TEST(LabelNames, NeedANameToEachLabel) {
   EXPECT_EQ(complaint_about(app::LabelNamesCodec(), {List{text("0:")}}),
             "\"0:\" does not fit; write each label as \"1: mortar\"");

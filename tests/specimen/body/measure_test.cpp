@@ -92,7 +92,7 @@ TEST(Measure, RowZeroIsTheTopOfTheSpecimen) {
   EXPECT_EQ(i.orientation, 0);
 }
 
-TEST(Measure, TheContourGoesRoundTheLargestPieceAndPastCorners) {
+TEST(Measure, TheContourGoesRoundEveryPieceAndPastCorners) {
   Raster<std::int32_t> ids(6, 6, 0);
   ids(0, 0) = 1;
   for (int r = 1; r < 4; ++r)
@@ -100,8 +100,28 @@ TEST(Measure, TheContourGoesRoundTheLargestPieceAndPastCorners) {
   ids(5, 5) = 2;
   const auto found = measure_inclusions(ids, 1);
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(found[0].contour.size(), 12U);
+  const auto loops = specimen::loops_of(found[0].contour);
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_EQ(loops[0].size(), 12U);  // the larger one first
+  EXPECT_EQ(loops[1].size(), 4U);
   EXPECT_EQ(found[0].area, 10);
+}
+
+/// A thick ring, and a grain in two pieces.
+TEST(Measure, HolesAndPiecesAreInTheOutlineAndItsArea) {
+  Raster<std::int32_t> ids(80, 130, 0);
+  specimen_test::draw_disc(ids, 40, 40, 30, 1);
+  specimen_test::draw_disc(ids, 40, 40, 15, 0);
+  specimen_test::draw_disc(ids, 20, 100, 10, 2);
+  specimen_test::draw_disc(ids, 60, 100, 14, 2);
+  specimen_test::draw_disc(ids, 60, 100, 5, 0);
+  specimen_test::draw_disc(ids, 60, 95, 2, 0);
+  const auto found = measure_inclusions(ids, 1);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(specimen::loops_of(found[0].contour).size(), 2U);
+  EXPECT_EQ(specimen::loops_of(found[1].contour).size(), 3U);
+  for (const Inclusion& i : found) EXPECT_NEAR(polygon_area(i.contour), i.area, 0.01 * i.area);
+  EXPECT_NEAR(found[0].perimeter, 2 * pi * (30 + 15), 0.03 * 2 * pi * 45);
 }
 
 TEST(Measure, NothingIsNothing) { EXPECT_TRUE(measure_inclusions(Raster<std::int32_t>(3, 3, 0), d).empty()); }

@@ -66,6 +66,29 @@ Inclusion with_contour(std::vector<Point> contour) {
   return inclusion;
 }
 
+Ring make_ring(const Inclusion& inclusion, int segments) { return make_rings(inclusion, segments).front(); }
+
+TEST(Ring, FollowsALongContourUnlessToldOtherwise) {
+  std::vector<Point> contour;
+  for (int i = 0; i < 600; ++i) contour.push_back({std::cos(2 * pi * i / 600), std::sin(2 * pi * i / 600)});
+  EXPECT_EQ(make_ring(with_contour(contour), 0).vertices.size(), 200u);
+  EXPECT_EQ(make_ring(with_contour(contour), 36).vertices.size(), 36u);
+  contour.resize(60);
+  EXPECT_EQ(make_ring(with_contour(contour), 0).vertices.size(), 36u);
+  EXPECT_EQ(make_ring(make_inclusion(1, {0, 0, 2, 1, 0}), 0).vertices.size(), 36u);
+}
+
+TEST(Ring, OfAGrainInPiecesWithAHoleAreThree) {
+  const std::vector<Point> outer{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, hole{{2, 2}, {2, 4}, {4, 4}, {4, 2}},
+      piece{{9, 0}, {10, 0}, {10, 1}, {9, 1}};
+  const std::vector<Ring> rings = make_rings(with_contour(contour_of({outer, piece, hole})), 8);
+  ASSERT_EQ(rings.size(), 3u);
+  EXPECT_NEAR(signed_area(rings[0].vertices), 36, 1e-9);
+  EXPECT_NEAR(signed_area(rings[1].vertices), 1, 1e-9);
+  EXPECT_NEAR(signed_area(rings[2].vertices), -4, 1e-9);
+  for (const Ring& ring : rings) EXPECT_EQ(ring.inclusion, 1);
+}
+
 TEST(Ring, OfAnEllipseHas36CornersAtEqualSteps) {
   const Ellipse e{0.05, 0.04, 0.02, 0.01, 0.6};
   const Ring ring = make_ring(make_inclusion(3, e), 36);
@@ -218,7 +241,8 @@ TEST(Ring, ChangesMortarAlone) {
   }
 }
 
-// Two square grains that share an edge, as in a picture: both have a ring, and no ring runs between them.
+// Two square grains that share an edge, as in a picture: both have a ring, and one of them gives the pixels
+// along their edge to it.
 TEST(Ring, OfTouchingGrainsAreTwo) {
   Segmented drawn;
   drawn.mask = {{20, 30, phase::mortar}, 1, standard_phases()};
@@ -241,8 +265,9 @@ TEST(Ring, OfTouchingGrainsAreTwo) {
 
   const Specimen specimen = make_specimen(drawn, {ItzMode::ring, 0.1, 36}, {});
   EXPECT_EQ(specimen.rings.size(), 2u);
-  EXPECT_EQ(count_labels(specimen.mask)[phase::itz], 60);
-  EXPECT_EQ(count_labels(specimen.mask)[phase::aggregate], 200);
+  EXPECT_EQ(count_labels(specimen.mask)[phase::itz], 60 + 10);
+  EXPECT_EQ(count_labels(specimen.mask)[phase::aggregate], 200 - 10);
+  for (int row = 5; row < 15; ++row) EXPECT_EQ(specimen.mask.labels(row, 15), phase::itz);
   EXPECT_EQ(leaks(specimen.mask), 0);
 }
 

@@ -77,8 +77,9 @@ TEST_P(OurLabels, ComeBackAsTheyWere) {
   EXPECT_EQ(converted.segmented.mask, our_mask());
   EXPECT_EQ(converted.segmented.inclusions.size(), 2U);
   EXPECT_EQ(converted.report.method, Segmentation::labels);
-  EXPECT_THAT(converted.report.notes,
-              Contains(HasSubstr("guessed: 0 = void (0.6 %), 1 = aggregate (17.7 %), 2 = mortar (")));
+  EXPECT_THAT(
+      converted.report.notes,
+      Contains(HasSubstr("as the file says: 0 = void (0.6 %), 1 = aggregate (17.7 %), 2 = mortar (")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Convert, OurLabels, ::testing::Values(".png", ".tif", ".bmp", ".pgm"),

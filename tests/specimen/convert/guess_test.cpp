@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/specimen/drawn.hpp"
 
 namespace guess_test {
 
 using specimen::distinct_values;
 using specimen::guess_class_phases;
-using specimen::guess_label_phases;
 using specimen::guess_method;
 using specimen::Picture;
 using specimen::Raster;
@@ -29,12 +30,6 @@ Segmentation method_of(const Raster<double>& gray) {
   return guess_method(distinct_values(picture, specimen::most_grains));
 }
 
-Names phases_of(const Raster<double>& gray) {
-  Picture picture;
-  picture.gray = gray;
-  return guess_label_phases(*distinct_values(picture, 256));
-}
-
 TEST(Guess, OnePieceAValueIsAMapOfGrains) {
   EXPECT_EQ(method_of(discs({1, 2, 3, 4, 5}, 0)), Segmentation::instances);
   EXPECT_EQ(method_of(discs({10, 20, 30, 4000, 50, 60}, 0)), Segmentation::instances);
@@ -43,7 +38,7 @@ TEST(Guess, OnePieceAValueIsAMapOfGrains) {
 TEST(Guess, FewValuesAreLabels) {
   EXPECT_EQ(method_of(discs({1, 2, 3, 4}, 0)), Segmentation::labels);                    // too few for grains
   EXPECT_EQ(method_of(discs({1, 1, 2, 2, 3, 3, 4, 4, 5, 5}, 0)), Segmentation::labels);  // many pieces each
-  EXPECT_EQ(method_of(discs({2, 3, 4, 5, 6}, 1)), Segmentation::labels);                 // no 0
+  EXPECT_EQ(method_of(discs({2, 3, 4, 5, 6}, 1)), Segmentation::instances);              // in a matrix of 1
 }
 
 TEST(Guess, ManyValuesOrNoiseAreAPhotograph) {
@@ -51,25 +46,6 @@ TEST(Guess, ManyValuesOrNoiseAreAPhotograph) {
   Raster<double> noise(50, 50);
   for (std::size_t i = 0; i < noise.size(); ++i) noise.data[i] = static_cast<double>(i * i % 31);
   EXPECT_EQ(method_of(noise), Segmentation::kmeans);
-}
-
-TEST(Guess, KnowsTheLabelsThatThisLibraryWrites) {
-  EXPECT_EQ(phases_of(discs({1, 0, 3}, 2)), (Names{"void", "aggregate", "mortar", "itz"}));
-  EXPECT_EQ(phases_of(discs({1, 1}, 2)), (Names{"aggregate", "mortar"}));
-  EXPECT_EQ(phases_of(discs({2, 2}, 0)), (Names{"void", "mortar"}));
-}
-
-TEST(Guess, DoesNotTakeAStrangersLabelsForItsOwn) {
-  // A matrix 1 with cracks 2 and pores 3: 1 and 2 share boundary, as ours with ITZ never do.
-  EXPECT_EQ(phases_of(discs({2, 2, 2, 3}, 1))[0], "mortar");
-}
-
-TEST(Guess, TheMatrixIsWhatHangsTogether) {
-  EXPECT_EQ(phases_of(discs({255, 255, 255}, 0)), (Names{"mortar", "aggregate"}));
-  EXPECT_EQ(phases_of(discs({0, 0, 0}, 255)), (Names{"aggregate", "mortar"}));
-  EXPECT_EQ(phases_of(discs({0, 255, 9, 40}, 7)),
-            (Names{"void", "mortar", "aggregate", "aggregate", "void"}));
-  EXPECT_EQ(phases_of(discs({5}, 5)), (Names{"mortar"}));
 }
 
 TEST(Guess, ClassesOfAPhotograph) {
@@ -109,6 +85,22 @@ TEST(Values, OfAPaletteAreItsIndices) {
   picture.indices = Raster<std::uint8_t>(1, 2);
   picture.indices.data = {4, 3};
   EXPECT_EQ(distinct_values(picture, 9)->values, (std::vector<std::int64_t>{3, 4}));
+}
+
+TEST(Values, OfGreysStoredAsColoursAreGreyValues) {
+  Picture picture;
+  picture.colour = Raster<specimen::Rgb>(1, 2, {9, 9, 9});
+  picture.colour(0, 1) = {4, 4, 4};
+  const auto map = distinct_values(picture, 9);
+  EXPECT_EQ(map->values, (std::vector<std::int64_t>{4, 9}));
+  EXPECT_FALSE(map->colours);
+  EXPECT_EQ(map->black, 0);
+}
+
+TEST(Values, NotANumberIsOneToo) {
+  const auto map = distinct_values(gray(2, {std::nan(""), 3}), 9);
+  EXPECT_EQ(map->values, (std::vector<std::int64_t>{specimen::no_number, 3}));
+  EXPECT_EQ(specimen::value_text(*map, 0), "NaN");
 }
 
 TEST(Values, OfColoursAreTheirHexadecimalNumbers) {

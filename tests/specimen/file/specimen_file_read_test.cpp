@@ -73,7 +73,7 @@ TEST_F(SpecimenFileRead, ChecksTheMeaningOfWhatIsThere) {
   EXPECT_EQ(verdict([](hid_t f) { set_attribute(f, "/", "pixel_size", H5T_IEEE_F64LE, -1.0); }),
             "pixel_size: -1.000000 m; must be > 0");
   EXPECT_EQ(verdict([](hid_t f) { set_attribute(f, "/rings", "segments", H5T_STD_I32LE, 1); }),
-            "itz.segments: 1; must be >= 3");
+            "itz.segments: 1; must be >= 3, or 0 = automatic");
   const std::vector<int> owners = {3, 4};
   EXPECT_EQ(verdict([&](hid_t f) { replace(f, "/rings/inclusion", H5T_STD_I32LE, {2}, owners.data()); }),
             "rings[1].inclusion: 4; must be the id of an inclusion");

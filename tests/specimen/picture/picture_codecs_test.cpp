@@ -23,7 +23,7 @@ std::vector<std::uint8_t> big_endian_block() {
 TEST(PictureExif, ReadsOrientationAndResolution) {
   const auto tags = read_exif(big_endian_block());
   EXPECT_EQ(tags.orientation, 8);
-  EXPECT_DOUBLE_EQ(tags.pixel_size, 0.01 / 20);
+  EXPECT_DOUBLE_EQ(tags.shape.width, 0.01 / 20);
 }
 
 TEST(PictureExif, KeepsTheDefaultsWhereTheBlockIsDamaged) {
@@ -31,7 +31,7 @@ TEST(PictureExif, KeepsTheDefaultsWhereTheBlockIsDamaged) {
   for (std::size_t n = 0; n < whole.size(); ++n) {
     const auto tags = read_exif(std::span(whole).first(n));
     EXPECT_GE(tags.orientation, 1);
-    EXPECT_EQ(tags.pixel_size, 0) << n;
+    EXPECT_EQ(tags.shape.width, 0) << n;
   }
   auto wrong = whole;
   wrong[10] = 0xff;  // the directory lies far outside

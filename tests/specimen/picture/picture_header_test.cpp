@@ -31,12 +31,15 @@ TEST(PictureHeader, KnowsFormatsByTheirFirstBytes) {
 }
 
 TEST(PictureHeader, HasAPixelSizeForSquarePixelsAlone) {
-  EXPECT_DOUBLE_EQ(specimen::pixel_size_of(2000, 2000), 0.5e-3);
-  EXPECT_DOUBLE_EQ(specimen::pixel_size_of(2000, 2010), 0.5e-3);
-  EXPECT_EQ(specimen::pixel_size_of(2000, 1000), 0);
-  EXPECT_EQ(specimen::pixel_size_of(0, 0), 0);
-  EXPECT_EQ(specimen::pixel_size_of(-3, -3), 0);
-  EXPECT_EQ(specimen::pixel_size_of(std::nan(""), 1), 0);
+  EXPECT_DOUBLE_EQ(specimen::pixel_shape_of(2000, 2000).width, 0.5e-3);
+  EXPECT_DOUBLE_EQ(specimen::pixel_shape_of(2000, 2010).width, 0.5e-3);
+  EXPECT_EQ(specimen::pixel_shape_of(2000, 2010).aspect, 1);
+  EXPECT_DOUBLE_EQ(specimen::pixel_shape_of(2000, 1000).width, 0.5e-3);
+  EXPECT_DOUBLE_EQ(specimen::pixel_shape_of(2000, 1000).aspect, 2);
+  for (const auto& [x, y] : {std::pair(0.0, 0.0), {-3.0, -3.0}, {std::nan(""), 1.0}, {1.0, 11.0}}) {
+    EXPECT_EQ(specimen::pixel_shape_of(x, y).width, 0);
+    EXPECT_EQ(specimen::pixel_shape_of(x, y).aspect, 1);
+  }
 }
 
 TEST(PictureHeader, ChecksSizesWithoutOverflow) {

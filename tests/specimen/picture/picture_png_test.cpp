@@ -43,20 +43,36 @@ TEST(PicturePng, ReadsInterlacedLikePlain) {
   EXPECT_EQ(plain.gray(6, 8), 4 * 62);
 }
 
-TEST(PicturePng, LaysTransparentColourOverWhite) {
+TEST(PicturePng, KeepsTransparentColourWithItsOpacity) {
   const Scratch scratch;
   PngRecipe recipe{3, 1, 8, PNG_COLOR_TYPE_RGB_ALPHA};
   recipe.data = {200, 100, 0, 255, 200, 100, 0, 0, 0, 0, 0, 128};
   const Picture picture = specimen::read_picture(scratch.write("alpha.png", make_png(recipe)));
-  EXPECT_EQ(picture.colour.data, (std::vector<Rgb>{{200, 100, 0}, {255, 255, 255}, {127, 127, 127}}));
+  EXPECT_EQ(picture.colour.data, (std::vector<Rgb>{{200, 100, 0}, {200, 100, 0}, {0, 0, 0}}));
+  EXPECT_EQ(picture.opacity.data, (std::vector<std::uint8_t>{255, 0, 128}));
 }
 
-TEST(PicturePng, PassesOverTheOpacityOfGray) {
+TEST(PicturePng, TurnsUprightWhatItsExifSays) {
+  const Scratch scratch;
+  FileBytes bytes = make_png({3, 1, 8, PNG_COLOR_TYPE_GRAY, false, {1, 2, 3}});
+  // Orientation 6: row 0 is the right side of the scene.
+  FileBytes chunk{0, 0,    0, 26, 'e', 'X', 'I', 'f', 'I', 'I', 42, 0, 8, 0, 0, 0, 1,
+                  0, 0x12, 1, 3,  0,   1,   0,   0,   0,   6,   0,  0, 0, 0, 0, 0, 0};
+  const auto sum = static_cast<std::uint32_t>(crc32(0, &chunk[4], 30));
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) chunk.push_back(static_cast<std::uint8_t>(sum >> shift));
+  bytes.insert(bytes.begin() + 33, chunk.begin(), chunk.end());  // behind the signature and IHDR
+  const Picture picture = specimen::read_picture(scratch.write("turned.png", bytes));
+  EXPECT_EQ(picture.rows(), 3);
+  EXPECT_EQ(picture.gray.data, (std::vector<double>{1, 2, 3}));
+}
+
+TEST(PicturePng, KeepsTheOpacityOfGray) {
   const Scratch scratch;
   PngRecipe recipe{2, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA};
   recipe.data = {7, 255, 9, 0};
   const Picture picture = specimen::read_picture(scratch.write("ga.png", make_png(recipe)));
   EXPECT_EQ(picture.gray.data, (std::vector<double>{7, 9}));
+  EXPECT_EQ(picture.opacity.data, (std::vector<std::uint8_t>{255, 0}));
 }
 
 TEST(PicturePng, BringsDeepColourToEightBits) {
@@ -81,7 +97,8 @@ TEST(PicturePng, KeepsThePaletteIndicesBesideTheColours) {
   recipe.opacity = {255, 0};
   const Picture picture = specimen::read_picture(scratch.write("palette.png", make_png(recipe)));
   EXPECT_EQ(picture.indices.data, (std::vector<std::uint8_t>{0, 1, 2, 0}));
-  EXPECT_EQ(picture.colour.data, (std::vector<Rgb>{{10, 20, 30}, {255, 255, 255}, {0, 0, 0}, {10, 20, 30}}));
+  EXPECT_EQ(picture.colour.data, (std::vector<Rgb>{{10, 20, 30}, {200, 0, 0}, {0, 0, 0}, {10, 20, 30}}));
+  EXPECT_EQ(picture.opacity.data, (std::vector<std::uint8_t>{255, 0, 255, 255}));
   EXPECT_TRUE(picture.gray.empty());
 }
 

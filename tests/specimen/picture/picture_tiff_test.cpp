@@ -49,6 +49,8 @@ TEST(PictureTiff, KeepsNumbersOfEveryKindAsStored) {
   expect_values<std::int8_t>(SAMPLEFORMAT_INT, {-128, -1, 0, 127});
   expect_values<std::int16_t>(SAMPLEFORMAT_INT, {-32768, -1, 0, 32767});
   expect_values<std::int32_t>(SAMPLEFORMAT_INT, {-2147483647, -1, 45, 2147483647});
+  expect_values<std::uint64_t>(SAMPLEFORMAT_UINT, {0, 1, 4294967296U, 9007199254740992U});
+  expect_values<std::int64_t>(SAMPLEFORMAT_INT, {-9007199254740992, -1, 0, 5000000000});
   expect_values<float>(SAMPLEFORMAT_IEEEFP, {-1.5F, 0.25F, 0, 1e20F});
   expect_values<double>(SAMPLEFORMAT_IEEEFP, {-1.5, 0.1, 0, 1e200});
 }
@@ -95,6 +97,91 @@ TEST(PictureTiff, ReadsColourAndPalettes) {
   EXPECT_EQ(palette.colour.data, (std::vector<Rgb>{{255, 0, 0}, {254, 0, 0}, {253, 0, 0}, {0, 0, 0}}));
 }
 
+/// Writes tags into a TIFF of four values a pixel, or fewer.
+std::string with_samples(const Scratch& scratch, int samples, int photometric,
+                         std::vector<std::uint16_t> extra) {
+  TiffRecipe recipe{1, 1, 8, SAMPLEFORMAT_UINT, samples, photometric};
+  std::vector<std::uint8_t> data{10, 20, 30, 100, 7};
+  data.resize(static_cast<std::size_t>(samples));
+  const std::string path = make_tiff<std::uint8_t>(scratch, recipe, data);
+  const TIFFErrorHandler warn = TIFFSetWarningHandler(nullptr);  // that it is not told what they are
+  TIFF* tiff = TIFFOpen(path.c_str(), "r+");
+  if (!extra.empty()) TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, static_cast<int>(extra.size()), extra.data());
+  TIFFRewriteDirectory(tiff);
+  TIFFClose(tiff);
+  TIFFSetWarningHandler(warn);
+  return path;
+}
+
+TEST(PictureTiff, AFourthSampleIsOpacityOnlyIfTheFileSaysSo) {
+  const Scratch scratch;
+  const Picture infrared =
+      specimen::read_picture(with_samples(scratch, 4, PHOTOMETRIC_RGB, {EXTRASAMPLE_UNSPECIFIED}));
+  EXPECT_EQ(infrared.colour(0, 0), (Rgb{10, 20, 30}));
+  EXPECT_TRUE(infrared.opacity.empty());
+  ASSERT_EQ(infrared.notes.size(), 1U);
+  EXPECT_EQ(infrared.notes[0],
+            "left out the channel beside red, green and blue, which the file does not call opacity");
+  const Picture clear =
+      specimen::read_picture(with_samples(scratch, 4, PHOTOMETRIC_RGB, {EXTRASAMPLE_UNASSALPHA}));
+  EXPECT_EQ(clear.colour(0, 0), (Rgb{10, 20, 30}));
+  EXPECT_EQ(clear.opacity(0, 0), 100);
+  const Picture multiplied =
+      specimen::read_picture(with_samples(scratch, 4, PHOTOMETRIC_RGB, {EXTRASAMPLE_ASSOCALPHA}));
+  EXPECT_EQ(multiplied.colour(0, 0), (Rgb{26, 51, 77}));
+}
+
+TEST(PictureTiff, RefusesSeveralGreyValuesAPixel) {
+  const Scratch scratch;
+  for (const int samples : {2, 3, 5})
+    expect_refused(
+        with_samples(
+            scratch, samples, PHOTOMETRIC_MINISBLACK,
+            std::vector<std::uint16_t>(static_cast<std::size_t>(samples) - 1, EXTRASAMPLE_UNSPECIFIED)),
+        "holds " + std::to_string(samples) + " grey values a pixel; must hold one, or red, green and blue");
+  const Picture clear =
+      specimen::read_picture(with_samples(scratch, 2, PHOTOMETRIC_MINISBLACK, {EXTRASAMPLE_UNASSALPHA}));
+  EXPECT_EQ(clear.gray(0, 0), 10);
+  EXPECT_EQ(clear.opacity(0, 0), 20);
+}
+
+/// The picture of four pixels with another description, or a depth.
+std::string described(const Scratch& scratch, const std::string& description, int depth = 1) {
+  const std::string path = make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
+  TIFF* tiff = TIFFOpen(path.c_str(), "r+");
+  if (!description.empty()) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+  if (depth > 1) TIFFSetField(tiff, TIFFTAG_IMAGEDEPTH, depth);
+  TIFFRewriteDirectory(tiff);
+  TIFFClose(tiff);
+  return path;
+}
+
+TEST(PictureTiff, RefusesSlicesBehindOneDirectory) {
+  const Scratch scratch;
+  expect_refused(described(scratch, "ImageJ=1.53t\nimages=3\nslices=3\n"),
+                 "is an ImageJ stack of 3 images; must hold one picture");
+  expect_refused(described(scratch, "ImageJ=1.53t\nchannels=2\n"), "is an ImageJ stack of 2 channels");
+  expect_refused(described(scratch, "", 3), "is a TIFF of 3 slices; must hold one picture");
+  EXPECT_EQ(specimen::read_picture(described(scratch, "ImageJ=1.53t\nimages=1\n")).gray(1, 1), 4);
+}
+
+TEST(PictureTiff, TakesItsScaleFromOme) {
+  const Scratch scratch;
+  const auto with = [&](const std::string& attributes) {
+    return specimen::read_picture(
+        described(scratch, "<?xml version='1.0'?><OME><Image><Pixels " + attributes + "/></Image></OME>"));
+  };
+  EXPECT_DOUBLE_EQ(with(R"(PhysicalSizeX="2.5" PhysicalSizeY="2.5")").pixel_size, 2.5e-6);
+  EXPECT_DOUBLE_EQ(
+      with("PhysicalSizeX='0.1' PhysicalSizeXUnit='mm' PhysicalSizeY='0.1' PhysicalSizeYUnit='mm'")
+          .pixel_size,
+      1e-4);
+  const Picture oblong = with(
+      "PhysicalSizeX='7' PhysicalSizeXUnit='\xce\xbcm' PhysicalSizeY='14' PhysicalSizeYUnit='\xc2\xb5m'");
+  EXPECT_DOUBLE_EQ(oblong.pixel_size, 7e-6);
+  EXPECT_DOUBLE_EQ(oblong.pixel_aspect, 2);
+}
+
 TEST(PictureTiff, StandsUpright) {
   const Scratch scratch;
   TiffRecipe recipe{3, 1};
@@ -104,14 +191,16 @@ TEST(PictureTiff, StandsUpright) {
   EXPECT_EQ(picture.gray.data, (std::vector<double>{3, 2, 1}));
 }
 
-TEST(PictureTiff, RefusesValuesThatAreNoNumbers) {
+TEST(PictureTiff, KeepsNotANumberAndRefusesInfinity) {
   const Scratch scratch;
   TiffRecipe recipe;
   recipe.bits = 32;
   recipe.format = SAMPLEFORMAT_IEEEFP;
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  const Picture picture = specimen::read_picture(make_tiff<float>(scratch, recipe, {0, nan, 1, 2}));
+  EXPECT_TRUE(std::isnan(picture.gray(0, 1)));
   expect_refused(make_tiff<float>(scratch, recipe, {0, nan, 1, inf}),
-                 "holds 2 pixels that are not finite (NaN or infinite), the first in row 0, column 1");
+                 "holds 1 infinite pixels, the first in row 1, column 1");
 }
 
 TEST(PictureTiff, RefusesAHugeClaimBeforeItAsksForMemory) {
@@ -189,7 +278,11 @@ TEST(PictureTiff, RefusesKindsThatItCannotRead) {
   const Scratch scratch;
   TiffRecipe recipe;
   recipe.bits = 64;
-  expect_refused(make_tiff<std::uint64_t>(scratch, recipe, {0, 1, 2, 3}), "samples of 64 bits in format 1");
+  recipe.format = SAMPLEFORMAT_COMPLEXINT;
+  expect_refused(make_tiff<std::uint64_t>(scratch, recipe, {0, 1, 2, 3}), "samples of 64 bits in format 5");
+  recipe.format = SAMPLEFORMAT_UINT;
+  expect_refused(make_tiff<std::uint64_t>(scratch, recipe, {0, 1, std::uint64_t{1} << 60U, 3}),
+                 "holds numbers above 2^53, the first in row 1, column 0");
 }
 
 TEST(PictureTiff, RefusesBeginningsAndSurvivesDamage) {
@@ -227,6 +320,9 @@ TEST(PictureTiff, TakesTheUnitOfItsScaleFromImageJ) {
   EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=cm\n"), 0.25e-2);
   EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nimages=1\nunit=\\u00B5m\n"), 0.25e-6);
   EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=micron"), 0.25e-6);
+  for (const char* micro : {"\xc2\xb5m", "\xce\xbcm", "\\u03BCm"})
+    EXPECT_DOUBLE_EQ(pixel_size_described(std::string("ImageJ=1.53t\nunit=") + micro + "\n"), 0.25e-6)
+        << micro;
   EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=mm\n", RESUNIT_INCH), 0.25e-3)
       << "as ImageJ does";
 }

@@ -1,0 +1,36 @@
+/// Grey levels and colours of a picture, the same whatever it is stored as.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "specimen/body/raster.hpp"
+#include "specimen/picture/picture.hpp"
+
+namespace specimen {
+
+/// Whether a picture has colours: not where red, green and blue are alike everywhere.
+[[nodiscard]] bool is_coloured(const Picture& picture);
+
+/// Grey value of pixel i of a picture without colours.
+[[nodiscard]] inline double gray_at(const Picture& picture, std::size_t i) {
+  return picture.gray.empty() ? picture.colour.data[i].r : picture.gray.data[i];
+}
+
+/// Bring the few values far outside of the range of all others (a hot pixel of a detector) to the ends of
+/// this range. Bytes stay as they are.
+/// @return a note that names them and the first of them; empty where there are none.
+std::string tame_outliers(Raster<double>& gray);
+
+/// Grey as colour: bytes as they are, bytes in 16 bits (v x 257 or v x 256) and values that use most of 16
+/// bits brought back to bytes, others with their span brought to 0 ... 255. Not-a-number becomes black.
+[[nodiscard]] Raster<Rgb> as_colour(const Raster<double>& gray);
+
+/// Whether as_colour() spreads the values, so that the darkest of them need not be black.
+[[nodiscard]] bool is_spread(const Raster<double>& gray);
+
+/// The colours of a picture, grey by as_colour() after tame_outliers().
+[[nodiscard]] Raster<Rgb> shown_colours(const Picture& picture);
+
+}  // namespace specimen

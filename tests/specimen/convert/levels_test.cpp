@@ -1,0 +1,73 @@
+#include "specimen/convert/levels.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/specimen/known_truth.hpp"
+
+namespace levels_test {
+
+using specimen::as_colour;
+using specimen::Picture;
+using specimen::Raster;
+using specimen::Rgb;
+using specimen::tame_outliers;
+
+Raster<double> ramp(double low, double high) {
+  Raster<double> gray(100, 100);
+  for (std::size_t i = 0; i < gray.size(); ++i)
+    gray.data[i] = low + (high - low) * static_cast<double>(i) / static_cast<double>(gray.size() - 1);
+  return gray;
+}
+
+TEST(Levels, OneHotPixelIsTamedAndNamed) {
+  Raster<double> gray = ramp(0.02, 0.06);
+  gray(17, 33) = 3;
+  const std::string note = tame_outliers(gray);
+  EXPECT_THAT(note, ::testing::HasSubstr("1 pixel far outside of the range"));
+  EXPECT_THAT(note, ::testing::HasSubstr("row 17, column 33 with 3"));
+  EXPECT_LT(gray(17, 33), 0.061);
+  EXPECT_EQ(tame_outliers(gray), "");
+}
+
+TEST(Levels, BytesStayAsTheyAre) {
+  Raster<double> gray(10, 10, 0.0);
+  gray(3, 3) = 255;
+  EXPECT_EQ(tame_outliers(gray), "");
+  EXPECT_EQ(as_colour(gray)(3, 3), (Rgb{255, 255, 255}));
+  gray(3, 3) = 7;
+  EXPECT_EQ(as_colour(gray)(3, 3), (Rgb{7, 7, 7}));
+}
+
+TEST(Levels, BytesInSixteenBitsAreTheSameBytes) {
+  Raster<double> bytes(16, 16), by_257(16, 16), by_256(16, 16);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    bytes.data[i] = static_cast<double>(i % 200 + 30);
+    by_257.data[i] = 257 * bytes.data[i];
+    by_256.data[i] = 256 * bytes.data[i];
+  }
+  EXPECT_EQ(as_colour(by_257), as_colour(bytes));
+  EXPECT_EQ(as_colour(by_256), as_colour(bytes));
+}
+
+TEST(Levels, OtherRangesAreSpread) {
+  const Raster<Rgb> shown = as_colour(ramp(9000, 21000));
+  EXPECT_EQ(shown.data.front().r, 0);
+  EXPECT_EQ(shown.data.back().r, 255);
+  Raster<double> hole = ramp(0, 1000);
+  hole(5, 5) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(as_colour(hole)(5, 5), Rgb{});
+}
+
+TEST(Levels, GrayStoredAsColoursHasNone) {
+  Picture picture;
+  picture.colour = Raster<Rgb>(2, 2, Rgb{9, 9, 9});
+  EXPECT_FALSE(is_coloured(picture));
+  picture.colour(1, 1).b = 10;
+  EXPECT_TRUE(is_coloured(picture));
+}
+
+}  // namespace levels_test
