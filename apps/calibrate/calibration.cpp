@@ -102,6 +102,10 @@ class Calibrator {
       trouble_ = "the stress never rose above 0";
       return;
     }
+    if (target.curve.empty() && count_without_peak(runs) > 0) {
+      trouble_ = "no peak was reached: the stress was still rising far beyond loading.stop_strain";
+      return;
+    }
     evaluation.peak = mean_peak(runs);
     evaluation.figures = figures;
     evaluation.misfit = std::sqrt(mean_square(figures, figures_of(target)));

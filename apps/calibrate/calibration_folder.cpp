@@ -107,14 +107,20 @@ Json parameters_json(const CalibrationTask& task, const Calibration& calibration
 /// Standard deviations of a single run are unknown.
 Json peaks_json(const std::vector<SeedRun>& runs) {
   if (runs.empty()) return nullptr;
-  const Spread stress = spread_of(runs, &SeedRun::peak_stress);
-  const Spread strain = spread_of(runs, &SeedRun::peak_strain);
-  const auto known = [&](double deviation) { return runs.size() > 1 ? Json(deviation) : Json(nullptr); };
+  const Spread stress = spread_of_peaks(runs, &SeedRun::peak_stress);
+  const Spread strain = spread_of_peaks(runs, &SeedRun::peak_strain);
+  const std::size_t without = count_without_peak(runs);
+  const auto known = [&](double deviation) {
+    return runs.size() > without + 1 ? Json(deviation) : Json(nullptr);
+  };
   Json each = Json::array();
   for (const SeedRun& run : runs)
-    each.push_back(
-        {{"seed", run.seed}, {"peak_stress_Pa", run.peak_stress}, {"peak_strain", run.peak_strain}});
-  return {{"peak_stress_mean_Pa", stress.mean},
+    each.push_back({{"seed", run.seed},
+                    {"peak_stress_Pa", run.peak_stress},
+                    {"peak_strain", run.peak_strain},
+                    {"peak_reached", run.peak_reached}});
+  return {{"without_peak", without},
+          {"peak_stress_mean_Pa", stress.mean},
           {"peak_stress_standard_deviation_Pa", known(stress.deviation)},
           {"peak_strain_mean", strain.mean},
           {"peak_strain_standard_deviation", known(strain.deviation)},

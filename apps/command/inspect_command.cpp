@@ -31,6 +31,7 @@ Json result_json(const mpm::Result& result) {
   return {{"kind", "result"},
           {"peak_stress_Pa", result.peak_stress},
           {"peak_strain", result.peak_strain},
+          {"peak_reached", mpm::peak_reached(result)},
           {"last_strain", strain},
           {"stop", output::word_of(result.stop)},
           {"tension_failures", result.tension_failures},
@@ -48,9 +49,10 @@ Json result_json(const mpm::Result& result) {
 
 std::string result_text(const Json& figures) {
   return fmt::format(
-      "result: peak {:.4g} MPa at strain {}, ended at strain {} ({})\n"
+      "result: {} {:.4g} MPa at strain {}, ended at strain {} ({})\n"
       "  {} tension and {} shear failures of {} points\n"
       "  {} steps of {:.4g} s in {:.2f} s ({:.0f} million point updates a second, {})\n",
+      figures["peak_reached"].get<bool>() ? "peak" : "no peak, largest stress",
       1e-6 * figures["peak_stress_Pa"].get<double>(), strain_text(figures["peak_strain"].get<double>()),
       strain_text(figures["last_strain"].get<double>()), figures["stop"].get<std::string>(),
       figures["tension_failures"].get<std::int64_t>(), figures["shear_failures"].get<std::int64_t>(),

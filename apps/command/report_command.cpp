@@ -69,6 +69,7 @@ nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& r
     json["runs"].push_back({{"name", run.name},
                             {"peak_stress_Pa", run.result.peak_stress},
                             {"peak_strain", run.result.peak_strain},
+                            {"peak_reached", mpm::peak_reached(run.result)},
                             {"tension_failures", run.result.tension_failures},
                             {"shear_failures", run.result.shear_failures}});
   for (const output::ComparedSetting& setting : settings) json["differences"][setting.key] = setting.values;

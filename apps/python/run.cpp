@@ -228,7 +228,9 @@ void run_save(const Run& run, const py::object& folder, bool overwrite) {
 
 std::string run_representation(const Run& run) {
   const mpm::Result& result = run.result;
-  return "<mesopix.Result: peak " + output::concise(1e-6 * result.peak_stress, 4) + " MPa at strain " +
+  return std::string("<mesopix.Result: ") +
+         (mpm::peak_reached(result) ? "peak " : "no peak, largest stress ") +
+         output::concise(1e-6 * result.peak_stress, 4) + " MPa at strain " +
          app::strain_text(result.peak_strain) + "; " + std::to_string(result.tension_failures) +
          " tension and " + std::to_string(result.shear_failures) + " shear failures; " +
          output::phrase_of(result.stop) + ">";
@@ -271,6 +273,9 @@ void bind_figures(py::class_<Run, std::shared_ptr<Run>>& type) {
   type.def_property_readonly("peak_stress", figure(&mpm::Result::peak_stress), "[Pa]")
       .def_property_readonly("peak_strain", figure(&mpm::Result::peak_strain),
                              "platen strain at the peak [-]")
+      .def_property_readonly(
+          "peak_reached", [](const Run& run) { return mpm::peak_reached(run.result); },
+          "whether the largest stress is a peak; False where the stress had not fallen again")
       .def_property_readonly("tension_failures", figure(&mpm::Result::tension_failures), "points")
       .def_property_readonly("shear_failures", figure(&mpm::Result::shear_failures), "points")
       .def_property_readonly("steps", figure(&mpm::Result::steps), "time steps")

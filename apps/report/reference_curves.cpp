@@ -131,7 +131,8 @@ std::vector<Series> in_compression(const RunRecord& record, double strength) {
 
 std::vector<Series> reference_series(const RunRecord& record) {
   const double strength = record.result.peak_stress;
-  if (!has_platens(record.scene) || !(strength > 0) || record.result.history.size() < 2) return {};
+  if (!has_platens(record.scene) || !mpm::peak_reached(record.result) || record.result.history.size() < 2)
+    return {};
   return record.scene.loading.direction == mpm::Direction::tension ? in_tension(record, strength)
                                                                    : in_compression(record, strength);
 }

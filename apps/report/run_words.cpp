@@ -135,6 +135,34 @@ std::string meaning_of_energy(const mpm::Scene& scene) {
   return text;
 }
 
+namespace {
+
+/// Where the run ended, which the stress would have to go beyond.
+std::string end_of_run(const mpm::Result& result, const mpm::Scene& scene) {
+  if (result.stop != mpm::StopReason::strain || !has_platens(scene)) return "when the run ended";
+  return "at stop_strain, " + app::strain_text(result.history.back().strain);
+}
+
+std::string how_it_ended(const mpm::Result& result, const mpm::Scene& scene) {
+  const std::string end = end_of_run(result, scene);
+  if (!(result.peak_stress > 0)) return "the stress never rose above 0";
+  const double fall = mpm::fall_after_peak(result);
+  const std::string largest = rounded(1e-6 * result.peak_stress, 4) + " MPa";
+  if (fall > 0)
+    return fmt::format("the stress had fallen by no more than {} from its largest value, {}, {}",
+                       percent(fall, 1), largest, end);
+  return fmt::format("the stress was still rising {}, to {}", end, largest);
+}
+
+}  // namespace
+
+std::string no_peak_text(const mpm::Result& result, const mpm::Scene& scene) {
+  if (result.history.empty() || mpm::peak_reached(result)) return {};
+  if (!has_platens(scene) && walls(scene.motion).empty()) return {};
+  const char* cure = has_platens(scene) ? "a larger loading.stop_strain" : "a longer loading.duration";
+  return fmt::format("no peak was reached: {}; choose {}", how_it_ended(result, scene), cure);
+}
+
 std::string name_of_kinematics(const mpm::Scene& scene) {
   if (scene.method == mpm::SolverMethod::quasi_static) return "small strain, in equilibrium";
   if (scene.kinematics == mpm::Kinematics::small_strain) return "small strain";

@@ -33,6 +33,10 @@ namespace output {
 [[nodiscard]] std::string meaning_of_curve(const mpm::Scene& scene);  ///< what both are, in a sentence or two
 [[nodiscard]] std::string meaning_of_energy(const mpm::Scene& scene);  ///< where the energy goes
 
+/// Why the largest stress of a run that is over is no peak, and what to do; empty where it is one, and for a
+/// flight without walls, which has none.
+[[nodiscard]] std::string no_peak_text(const mpm::Result& result, const mpm::Scene& scene);
+
 /// "small strain", "moving points (GIMP, MUSL, FLIP)".
 [[nodiscard]] std::string name_of_kinematics(const mpm::Scene& scene);
 

@@ -88,6 +88,7 @@ json figures_of(const mpm::Result& result) {
   const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
   return {{"peak_stress_Pa", result.peak_stress},
           {"peak_strain", result.peak_strain},
+          {"peak_reached", mpm::peak_reached(result)},
           {"secant_modulus_Pa", output::secant_modulus(result)},
           {"end_strain", end.strain},
           {"end_stress_Pa", end.stress},

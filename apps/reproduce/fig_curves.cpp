@@ -58,8 +58,9 @@ Direction direction_of(const Effort& effort, const TrialResults& outcomes, const
   std::vector<Curve> curves;
   for (int seed = 1; seed <= effort.specimens; ++seed) {
     const mpm::Result& result = outcomes.of(square_trial(effort, name, seed)).result;
-    stresses.push_back(result.peak_stress);
-    strains.push_back(result.peak_strain);
+    stresses.push_back(peak_of(result, &mpm::Result::peak_stress));
+    strains.push_back(peak_of(result, &mpm::Result::peak_strain));
+    if (!mpm::peak_reached(result)) continue;
     moduli.push_back(output::secant_modulus(result));
     curves.push_back(normalised(result));
   }

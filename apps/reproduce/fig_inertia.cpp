@@ -71,8 +71,8 @@ Peaks peaks_of(const Effort& effort, const TrialResults& outcomes, const std::st
   for (int seed = 1; seed <= specimens_of(effort); ++seed) {
     const mpm::Result& result = outcomes.of(trial_of_way(effort, test, way, seed)).result;
     if (seed == 1) peaks.first = &result;
-    peaks.stresses.push_back(result.peak_stress);
-    peaks.strains.push_back(result.peak_strain);
+    peaks.stresses.push_back(peak_of(result, &mpm::Result::peak_stress));
+    peaks.strains.push_back(peak_of(result, &mpm::Result::peak_strain));
   }
   return peaks;
 }

@@ -69,7 +69,7 @@ Convergence convergence_of(const Law& law, const Effort& effort, const TrialResu
     std::vector<double> peaks, energies;
     for (int field = 1; field <= fields_of(effort); ++field) {
       const mpm::Result& run = outcomes.of(trial_of(law, size, field)).result;
-      peaks.push_back(run.peak_stress);
+      peaks.push_back(peak_of(run, &mpm::Result::peak_stress));
       energies.push_back(run.history.empty() ? 0 : run.history.back().released);
       if (field == 1) convergence.first.push_back(&run);
     }

@@ -53,8 +53,8 @@ Sample sample_of(const std::string& name, const std::vector<Trial>& trials, cons
     if (phase.name == "mortar") sample.scale = phase.tensile_scale;
   for (const Trial& trial : trials) {
     sample.outcomes.push_back(&outcomes.of(trial));
-    sample.stresses.push_back(sample.outcomes.back()->result.peak_stress);
-    sample.strains.push_back(sample.outcomes.back()->result.peak_strain);
+    sample.stresses.push_back(peak_of(sample.outcomes.back()->result, &mpm::Result::peak_stress));
+    sample.strains.push_back(peak_of(sample.outcomes.back()->result, &mpm::Result::peak_strain));
   }
   return sample;
 }
@@ -176,14 +176,15 @@ output::Chart chart_of(const Sample& sample) {
 
 std::vector<std::string> row_of(const Sample& sample) {
   const Crack crack = cracks_of(sample);
-  return {sample.name + ", f_t = " + megapascals(sample.scale),
-          megapascals(spread_of(sample.stresses)),
-          output::percent(share_within(sample.stresses, band.least_stress, band.largest_stress), 0),
-          microstrain(spread_of(sample.strains)),
-          output::percent(share_within(sample.strains, band.least_strain, band.largest_strain), 0),
-          std::to_string(crack.tops),
-          std::to_string(crack.bottoms),
-          std::to_string(crack.other)};
+  return {
+      sample.name + ", f_t = " + megapascals(sample.scale),
+      megapascals(spread_of(sample.stresses)),
+      output::percent(share_within(finite_of(sample.stresses), band.least_stress, band.largest_stress), 0),
+      microstrain(spread_of(sample.strains)),
+      output::percent(share_within(sample.strains, band.least_strain, band.largest_strain), 0),
+      std::to_string(crack.tops),
+      std::to_string(crack.bottoms),
+      std::to_string(crack.other)};
 }
 
 nlohmann::json json_of(const Sample& sample) {

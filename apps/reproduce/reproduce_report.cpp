@@ -35,9 +35,15 @@ std::string how_it_was_run(const Reproduction& reproduction) {
     steps += entry.outcome.result.steps;
   }
   std::string text;
+  const auto& entries = reproduction.outcomes.entries();
+  const auto without = std::count_if(entries.begin(), entries.end(), [](const TrialResults::Entry& entry) {
+    return entry.outcome.done && !mpm::peak_reached(entry.outcome.result);
+  });
   if (runs > 0)
     text = fmt::format("{} of {} steps, {} at a time, took {:.0f} s. ", counted(runs, "run"),
                        output::grouped(steps), reproduction.workers, reproduction.wall_time);
+  if (without > 0)
+    text += counted(static_cast<int>(without), "run") + " of them reached no peak and stand in no mean. ";
   return text +
          "Every number that is not the paper's comes from these runs, and every verdict follows from the "
          "numbers.";
@@ -97,7 +103,8 @@ std::string runs_section(const Reproduction& reproduction) {
   std::string commands;
   for (const TrialResults::Entry& entry : reproduction.outcomes.entries())
     if (entry.outcome.done)
-      commands += fmt::format("{}    # {}, {}\n", command_of(entry.trial),
+      commands += fmt::format("{}    # {}{}, {}\n", command_of(entry.trial),
+                              mpm::peak_reached(entry.outcome.result) ? "" : "no peak, largest stress ",
                               megapascals(entry.outcome.result.peak_stress),
                               microstrain(entry.outcome.result.peak_strain));
   if (commands.empty()) return "";
@@ -123,13 +130,10 @@ nlohmann::json json_of(const FigureResult& result) {
 
 nlohmann::json json_of(const TrialResults::Entry& entry) {
   const mpm::Result& result = entry.outcome.result;
-  return {{"command", command_of(entry.trial)},
-          {"peak_stress_Pa", result.peak_stress},
-          {"peak_strain", result.peak_strain},
-          {"tension_failures", result.tension_failures},
-          {"shear_failures", result.shear_failures},
-          {"energy_error", result.energy_error},
-          {"steps", result.steps}};
+  return {{"command", command_of(entry.trial)},          {"peak_stress_Pa", result.peak_stress},
+          {"peak_strain", result.peak_strain},           {"peak_reached", mpm::peak_reached(result)},
+          {"tension_failures", result.tension_failures}, {"shear_failures", result.shear_failures},
+          {"energy_error", result.energy_error},         {"steps", result.steps}};
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ CaseResult result_of(const Sweep& sweep, const Case& test, const Effort& effort,
     std::vector<double> stresses, strains, drops, shears;
     for (int seed = 1; seed <= result.specimens; ++seed) {
       const mpm::Result& run = outcomes.of(trial_of(sweep, test, effort, value, seed)).result;
-      stresses.push_back(run.peak_stress);
-      strains.push_back(run.peak_strain);
+      stresses.push_back(peak_of(run, &mpm::Result::peak_stress));
+      strains.push_back(peak_of(run, &mpm::Result::peak_strain));
       drops.push_back(drop_ratio(run, dropped));
       shears.push_back(shear_share(run));
       if (seed == 1) result.first.push_back(&run);

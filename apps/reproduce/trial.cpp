@@ -3,6 +3,7 @@
 #include "apps/job/job.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/statistics/curve.hpp"
+#include "apps/statistics/statistics.hpp"
 #include "apps/text/complaint.hpp"
 #include "libmpm/run/simulate.hpp"
 
@@ -47,6 +48,10 @@ Settings settings_of(const Trial& trial) {
     given.push_back(given_as_option(key, field->form.kind, "--set " + key, value));
   }
   return resolve(parse_scene(paper_scene(trial.scene).text, path_of_scene(trial.scene)), given).settings;
+}
+
+double peak_of(const mpm::Result& result, double mpm::Result::*figure) {
+  return mpm::peak_reached(result) ? result.*figure : no_number;
 }
 
 TrialResult run_trial(const Trial& trial, const std::function<bool()>& go_on) {

@@ -51,7 +51,7 @@ fs::path make_run_folder(const fs::path& wanted, const fs::path& stem, bool over
 }
 
 RunRecord ReadRun::record() const {
-  return {{specimen, scene, scene_toml, specimen::sha256_of_text(scene_toml), settings.title, {}}, result};
+  return {{specimen, scene, scene_toml, specimen::sha256_of_text(scene_toml), settings.title, notes}, result};
 }
 
 ReadRun read_run(const std::string& folder) {

@@ -91,10 +91,13 @@ std::string estimate_text(const output::ErrorEstimate& estimate) {
 
 std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {
   const bool platens = output::has_platens(scene);
-  return fmt::format("peak {}{:.4g} MPa at {} {}, {} tension and {} shear failures, {} steps in {:.2f} s",
-                     platens ? "" : output::name_of_stress(scene) + " ", 1e-6 * result.peak_stress,
-                     platens ? "strain" : output::name_of_strain(scene), strain_text(result.peak_strain),
-                     result.tension_failures, result.shear_failures, result.steps, result.wall_time);
+  return fmt::format(
+      "{} {}{:.4g} MPa at {} {}, {} tension and {} shear failures, {} steps in {:.2f} s",
+      mpm::peak_reached(result) ? "peak" : "no peak, largest",
+      platens ? (mpm::peak_reached(result) ? "" : "stress ") : output::name_of_stress(scene) + " ",
+      1e-6 * result.peak_stress, platens ? "strain" : output::name_of_strain(scene),
+      strain_text(result.peak_strain), result.tension_failures, result.shear_failures, result.steps,
+      result.wall_time);
 }
 
 /// Notes that have come since there were `told` of them.

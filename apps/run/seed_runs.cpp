@@ -44,7 +44,11 @@ SeedRun run_seed(const mpm::Scene& wanted, std::uint64_t seed, RunEnd end,
     return end == RunEnd::of_scene || !is_past_peak(row, peak_strain, wanted.loading.stop_strain);
   };
   const mpm::Result result = mpm::simulate(scene, {.observer = goes_on});
-  return {seed, result.peak_stress, result.peak_strain, stress_curve(result)};
+  const bool ended_past_peak =
+      end == RunEnd::past_peak &&
+      is_past_peak(result.history.back(), result.peak_strain, wanted.loading.stop_strain);
+  return {seed, result.peak_stress, result.peak_strain, stress_curve(result),
+          ended_past_peak || mpm::peak_reached(result)};
 }
 
 }  // namespace
@@ -62,7 +66,7 @@ std::optional<std::vector<SeedRun>> run_seeds(const mpm::Scene& scene,
   std::vector<std::function<void()>> jobs;
   for (std::size_t i = 0; i < seeds.size(); ++i)
     jobs.emplace_back([&, i] { runs[i] = run_seed(scene, seeds[i], end, stopped); });
-  const int workers = scene.threads > 0 ? scene.threads : core_count();
+  const int workers = scene.threads > 0 ? std::min(scene.threads, core_count()) : core_count();
   run_jobs(jobs, workers, {{}, [&] { return !stopped(); }});
   if (stopped()) return std::nullopt;
   return runs;
@@ -81,6 +85,18 @@ Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure) {
   std::vector<double> values;
   for (const SeedRun& run : runs) values.push_back(run.*figure);
   return spread_of(values);
+}
+
+Spread spread_of_peaks(const std::vector<SeedRun>& runs, double SeedRun::*figure) {
+  std::vector<double> values;
+  for (const SeedRun& run : runs)
+    if (run.peak_reached) values.push_back(run.*figure);
+  return spread_of(values);
+}
+
+std::size_t count_without_peak(const std::vector<SeedRun>& runs) {
+  return static_cast<std::size_t>(
+      std::count_if(runs.begin(), runs.end(), [](const SeedRun& run) { return !run.peak_reached; }));
 }
 
 }  // namespace app

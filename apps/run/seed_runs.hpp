@@ -18,6 +18,7 @@ struct SeedRun {
   double peak_stress = 0;  ///< [Pa]
   double peak_strain = 0;  ///< [-]
   Curve curve;
+  bool peak_reached = true;  ///< the largest stress is a peak
 };
 
 /// When a run ends.
@@ -45,5 +46,10 @@ enum class RunEnd {
 
 /// Of a figure from one run to another.
 [[nodiscard]] Spread spread_of(const std::vector<SeedRun>& runs, double SeedRun::*figure);
+
+/// The same, of the runs that have a peak.
+[[nodiscard]] Spread spread_of_peaks(const std::vector<SeedRun>& runs, double SeedRun::*figure);
+
+[[nodiscard]] std::size_t count_without_peak(const std::vector<SeedRun>& runs);
 
 }  // namespace app

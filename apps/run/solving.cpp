@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/live/progress_line.hpp"
+#include "apps/report/run_words.hpp"
 #include "apps/run/run_remarks.hpp"
 #include "apps/text/figures.hpp"
 
@@ -67,6 +68,19 @@ void adopt(const Tolerated& found, Job& job) {
   }
 }
 
+namespace {
+
+/// That a run with a peak did not end as it was asked to.
+std::string drop_note(const mpm::Result& result, const mpm::Scene& scene) {
+  const bool never = scene.loading.stop_drop && result.stop == mpm::StopReason::strain;
+  if (!never || !mpm::peak_reached(result)) return {};
+  return "the stress never fell below stop_drop, " + output::percent(*scene.loading.stop_drop, 0) +
+         " of its peak, before stop_strain: it is " +
+         output::percent(result.history.back().stress / result.peak_stress, 0) + " of it there";
+}
+
+}  // namespace
+
 std::vector<Remark> remarks_on(const Outcome& outcome, const mpm::Scene& scene) {
   if (!outcome.divergence.empty()) return {{outcome.divergence, ""}};
   std::vector<Remark> remarks;
@@ -76,6 +90,10 @@ std::vector<Remark> remarks_on(const Outcome& outcome, const mpm::Scene& scene) 
                        "note"});
   if (const std::string note = inertia_note(outcome.result, scene); !note.empty())
     remarks.push_back({note, "warning"});
+  if (const std::string note = output::no_peak_text(outcome.result, scene); !note.empty())
+    remarks.push_back({note, outcome.interrupted() ? "note" : "warning"});
+  if (const std::string note = drop_note(outcome.result, scene); !note.empty())
+    remarks.push_back({note, "note"});
   if (const std::string note = energy_note(outcome.result, scene); !note.empty())
     remarks.push_back({note, scene.kinematics != mpm::Kinematics::small_strain ? "note" : "warning"});
   return remarks;

@@ -163,9 +163,19 @@ SceneFile read_scene_file(const std::string& path) { return parse_scene(read_tex
 namespace {
 
 /// Lay over the settings what was given, and remember where.
+/// The strain at which a run ends that was not told: beyond the peak of concrete. A run that ends when the
+/// stress drops has more room, which costs it nothing.
+double usual_stop_strain(const mpm::Loading& loading) {
+  if (loading.direction == mpm::Direction::compression) return loading.stop_drop ? 1e-2 : 4e-3;
+  return loading.direction == mpm::Direction::tension && loading.stop_drop ? 1e-3
+                                                                           : mpm::Loading{}.stop_strain;
+}
+
 void lay_over(const std::vector<Assignment>& given, Resolved& resolved, std::vector<Complaint>& complaints) {
   apply(given, resolved.settings, complaints);
   for (const Assignment& one : given) resolved.origins.insert_or_assign(one.key, one);
+  mpm::Loading& loading = resolved.settings.scene.loading;
+  if (!resolved.origins.contains("loading.stop_strain")) loading.stop_strain = usual_stop_strain(loading);
   const SpecimenChoice& choice = resolved.settings.specimen;
   if (choice.ellipse_list.empty() && !choice.ellipses.empty())
     resolved.origins["ellipses"] = {"ellipses", {}, {choice.ellipses, 0, 0}, "ellipses", ""};

@@ -23,6 +23,7 @@ void write_tables(const StudyFolder& folder, const Study& study, const std::vect
 }
 
 void say_means(const Study& study, const StudyResults& results, Console& console) {
+  if (const std::string text = without_peak_text(results); !text.empty()) console.say("warning: " + text);
   if (!study.plan.parameters.empty()) return;
   const MeanEstimate stress = mean_estimate(results.peak_stress());
   if (stress.count < 2) return;
@@ -59,6 +60,7 @@ nlohmann::ordered_json count_json(const StudyFolder& folder, const std::vector<M
 nlohmann::ordered_json study_json(const StudyFolder& folder, const Study& study,
                                   const std::vector<Member>& members, const StudyResults& results) {
   nlohmann::ordered_json json = count_json(folder, members);
+  json["without_peak"] = results.without_peak();
   json["peak_stress"] = nullptr;
   if (study.plan.parameters.empty()) {
     const MeanEstimate stress = mean_estimate(results.peak_stress());

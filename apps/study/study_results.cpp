@@ -1,5 +1,7 @@
 #include "apps/study/study_results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,7 +69,7 @@ void add_cracks(CrackCount& cracks, const mpm::Result& result) {
 }
 
 MemberOutcome outcome_of(mpm::Result result) {
-  MemberOutcome outcome{MemberState::done, {}, {}, result.history.back()};
+  MemberOutcome outcome{MemberState::done, {}, {}, result.history.back(), mpm::peak_reached(result)};
   result.history.clear();
   drop_maps(result);
   outcome.figures = std::move(result);
@@ -89,12 +91,37 @@ std::vector<double> StudyResults::figure(const std::function<double(const Member
   return values;
 }
 
+namespace {
+
+/// A figure of the peak; NaN where there is none.
+double of_peak(const MemberOutcome& outcome, double mpm::Result::*figure) {
+  return outcome.peak_reached ? outcome.figures.*figure : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
 std::vector<double> StudyResults::peak_stress() const {
-  return figure([](const MemberOutcome& outcome) { return outcome.figures.peak_stress; });
+  return figure([](const MemberOutcome& outcome) { return of_peak(outcome, &mpm::Result::peak_stress); });
 }
 
 std::vector<double> StudyResults::peak_strain() const {
-  return figure([](const MemberOutcome& outcome) { return outcome.figures.peak_strain; });
+  return figure([](const MemberOutcome& outcome) { return of_peak(outcome, &mpm::Result::peak_strain); });
+}
+
+std::size_t StudyResults::without_peak() const {
+  return static_cast<std::size_t>(
+      std::count_if(outcomes.begin(), outcomes.end(), [](const MemberOutcome& outcome) {
+        return outcome.state == MemberState::done && !outcome.peak_reached;
+      }));
+}
+
+std::string without_peak_text(const StudyResults& results) {
+  const std::size_t without = results.without_peak();
+  if (without == 0) return {};
+  return fmt::format(
+      "{} of {} members reached no peak, as their stress had not fallen again when they ended; they count in "
+      "no statistics; choose a larger loading.stop_strain",
+      without, results.count(MemberState::done));
 }
 
 StudyResults read_results(const StudyFolder& folder, const std::vector<Member>& members) {
@@ -108,7 +135,8 @@ StudyResults read_results(const StudyFolder& folder, const std::vector<Member>& 
       results.outcomes.push_back(outcome_of(std::move(result)));
     } else {
       const std::string reason = folder.failure(member);
-      results.outcomes.push_back({reason.empty() ? MemberState::open : MemberState::failed, reason, {}, {}});
+      results.outcomes.push_back(
+          {reason.empty() ? MemberState::open : MemberState::failed, reason, {}, {}, false});
     }
   }
   return results;
@@ -127,8 +155,12 @@ struct Figure {
 };
 
 constexpr Figure figures[] = {
-    {"peak_stress", "Pa", "largest stress", [](const auto& o) { return o.figures.peak_stress; }},
-    {"peak_strain", "1", "strain at the largest stress", [](const auto& o) { return o.figures.peak_strain; }},
+    {"peak_stress", "Pa", "largest stress, where it is a peak",
+     [](const auto& o) { return of_peak(o, &mpm::Result::peak_stress); }},
+    {"peak_strain", "1", "strain at the peak",
+     [](const auto& o) { return of_peak(o, &mpm::Result::peak_strain); }},
+    {"peak_reached", "1", "1 = the largest stress is a peak, 0 = the stress had not fallen again at the end",
+     [](const auto& o) { return o.peak_reached ? 1.0 : 0.0; }},
     {"end_strain", "1", "strain at the end", [](const auto& o) { return o.end.strain; }},
     {"end_stress", "Pa", "stress at the end", [](const auto& o) { return o.end.stress; }},
     {"tension_failures", "1", "points that failed in tension",

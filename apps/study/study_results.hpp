@@ -19,9 +19,10 @@ enum class MemberState { open, done, failed };
 /// Figures of one member.
 struct MemberOutcome {
   MemberState state = MemberState::open;
-  std::string reason;   ///< why it has failed
-  mpm::Result figures;  ///< of one that is done, without history and maps
-  mpm::HistoryRow end;  ///< last row of its history
+  std::string reason;        ///< why it has failed
+  mpm::Result figures;       ///< of one that is done, without history and maps
+  mpm::HistoryRow end;       ///< last row of its history
+  bool peak_reached = true;  ///< its largest stress is a peak
 };
 
 /// How often each pixel has failed by the end of a run.
@@ -38,9 +39,14 @@ struct StudyResults {
   [[nodiscard]] std::size_t count(MemberState state) const;
   /// A figure of every member; NaN for those that are not done.
   [[nodiscard]] std::vector<double> figure(const std::function<double(const MemberOutcome&)>& of) const;
+  /// Of members whose largest stress is a peak; NaN for all others, so that no statistics hold them.
   [[nodiscard]] std::vector<double> peak_stress() const;  ///< [Pa]
   [[nodiscard]] std::vector<double> peak_strain() const;  ///< [-]
+  [[nodiscard]] std::size_t without_peak() const;         ///< members that are done and have none
 };
+
+/// "3 of 20 members reached no peak and count in no statistics; choose ..."; empty where all have one.
+[[nodiscard]] std::string without_peak_text(const StudyResults& results);
 
 /// Read one result after the other; of each some 200 points of the curve are kept, and of the maps their sum.
 /// @throws mpm::FileError for a result that cannot be read, or is that of another scene.

@@ -166,7 +166,10 @@ std::string shape_text(const WeibullFit& fit, double distance) {
 
 std::string peaks_section(const StudyRecord& record) {
   if (record.results.count(MemberState::done) == 0) return "";
-  return section("Peaks", has_one_point(record) ? one_point_peaks(record) : peaks_by_point(record));
+  const std::string without = without_peak_text(record.results);
+  const std::string note = without.empty() ? "" : output::paragraph(output::capitalised(without) + ".");
+  if (record.results.without_peak() == record.results.count(MemberState::done)) return section("Peaks", note);
+  return section("Peaks", note + (has_one_point(record) ? one_point_peaks(record) : peaks_by_point(record)));
 }
 
 std::string weibull_section(const StudyRecord& record) {

@@ -48,7 +48,7 @@ class Run {
       if (solver.is_done()) return false;
       // What failed last may still have pushed in its step: one more shows that nothing does.
       const bool was_over = result_.nothing_carries;
-      const Ledger ledger = solver.advance(was_over ? 1 : plan_.steps_per_row);
+      const Ledger ledger = solver.advance(was_over ? 1 : steps_to_row());
       result_.steps = solver.steps();
       HistoryRow row = history_row(scene_, ledger);
       row.moving_points = moving ? result_.points - ledger.left_points : 0;
@@ -86,6 +86,9 @@ class Run {
 
   static double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  [[nodiscard]] std::int64_t steps_to_row() const {
+    return steps_to_next_row(scene_, plan_, early_strain_, result_.history.back().strain);
   }
   [[nodiscard]] double wall_time() const { return wall_time_before_ + seconds_since(start_); }
 
@@ -187,6 +190,7 @@ class Run {
   const Scene& scene_;
   const Plan& plan_;
   const RunHooks& hooks_;
+  double early_strain_ = early_strain(scene_);  ///< up to which rows lie closest [-]
   RunFrames frames_;
   Clock::time_point start_ = Clock::now();
   double wall_time_before_ = 0;  ///< of the parts before this one [s]

@@ -119,6 +119,37 @@ void add_row(Result& result, const HistoryRow& row, Direction direction) {
   result.shear_failures = row.shear_failures;
 }
 
+namespace {
+
+/// Strain of the platens at which a phase alone would fail, but for the scatter of strengths [-].
+double failure_strain_of(const Phase& phase, Direction direction) {
+  const bool crushes = direction == Direction::compression && phase.can_shear();
+  return (crushes ? phase.cohesion : phase.tensile_scale) / phase.young;
+}
+
+constexpr double least_share = 1.0 / 9;  ///< of that strain at which specimens reach their peak [-]
+constexpr double rows_to_peak = 0.2;     ///< of the rows of the history [-]
+
+}  // namespace
+
+double early_strain(const Scene& scene) {
+  if (scene.loading.direction == Direction::none) return 0;
+  double least = Phase::unbreakable;
+  for (const auto& phase : scene.phases)
+    if (phase && phase->can_fail())
+      least = std::min(least, failure_strain_of(*phase, scene.loading.direction));
+  return std::isfinite(least) ? least_share * least : 0;
+}
+
+std::int64_t steps_to_next_row(const Scene& scene, const Plan& plan, double early, double strain) {
+  if (early <= 0 || plan.steps_per_row == 1) return plan.steps_per_row;
+  const double increment = std::max(early, strain) / (rows_to_peak * scene.history_rows);
+  const double steps = increment * scene.height() / (scene.loading.velocity * plan.dt);
+  return steps < static_cast<double>(plan.steps_per_row)
+             ? std::max<std::int64_t>(1, static_cast<std::int64_t>(steps))
+             : plan.steps_per_row;
+}
+
 double share_done(const Scene& scene, const HistoryRow& row) {
   return scene.loading.direction == Direction::none ? row.time / scene.loading.duration
                                                     : row.strain / scene.loading.stop_strain;

@@ -36,6 +36,15 @@ struct Divergence {
 /// The row of a ledger, without the number of moving points.
 [[nodiscard]] HistoryRow history_row(const Scene& scene, const Ledger& ledger);
 
+/// Strain below which the rows of the history lie closest, whatever the stop_strain [-]: well below the peak
+/// of any specimen of these phases. 0 = nothing can fail, or there are no platens.
+[[nodiscard]] double early_strain(const Scene& scene);
+
+/// Steps to the next row after one at a strain: those of the plan, or fewer, so that up to any peak beyond
+/// the early strain a run has a fifth of Scene::history_rows at least.
+[[nodiscard]] std::int64_t steps_to_next_row(const Scene& scene, const Plan& plan, double early,
+                                             double strain);
+
 /// Add a row, and update the peak and the other totals of the result.
 void add_row(Result& result, const HistoryRow& row, Direction direction);
 

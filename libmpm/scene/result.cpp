@@ -1,5 +1,6 @@
 #include "libmpm/scene/result.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mpm {
@@ -38,5 +39,24 @@ const std::array<HistoryColumn, 15>& history_columns() {
   }};
   return columns;
 }
+
+double fall_after_peak(const Result& result) {
+  if (!(result.peak_stress > 0)) return 0;
+  const auto& rows = result.history;
+  // Along a path that goes back, the strain of the peak may have been passed before.
+  const auto is_peak = [&](const HistoryRow& row) {
+    return row.strain == result.peak_strain && row.stress >= result.peak_stress;
+  };
+  auto peak = std::find_if(rows.begin(), rows.end(), is_peak);
+  if (peak == rows.end())
+    peak = std::find_if(rows.begin(), rows.end(),
+                        [&](const HistoryRow& row) { return row.strain >= result.peak_strain; });
+  double least = result.peak_stress;
+  for (auto row = peak; row != rows.end(); ++row)
+    if (row != peak) least = std::min(least, row->stress);
+  return 1 - least / result.peak_stress;
+}
+
+bool peak_reached(const Result& result) { return fall_after_peak(result) >= lost_after_peak; }
 
 }  // namespace mpm

@@ -104,4 +104,15 @@ struct HistoryColumn {
 /// All columns, in the order of HistoryRow.
 [[nodiscard]] const std::array<HistoryColumn, 15>& history_columns();
 
+/// Share of the largest stress that the stress must have lost since, for that to be a peak [-].
+inline constexpr double lost_after_peak = 0.05;
+
+/// Whether the largest stress of a run is a peak: whether the stress has since fallen by `lost_after_peak`.
+/// Of a run that ended before, the largest stress is a lower bound of the peak only.
+[[nodiscard]] bool peak_reached(const Result& result);
+
+/// How far the stress has fallen since its largest value, over that [-], in [0, 1] unless the stress changes
+/// its sign; 0 for a run whose largest stress is its last, or is none.
+[[nodiscard]] double fall_after_peak(const Result& result);
+
 }  // namespace mpm

@@ -72,4 +72,31 @@ TEST(LoadWords, NameTheKinematics) {
   EXPECT_THAT(output::name_of_kinematics(scene), HasSubstr("APIC"));
 }
 
+TEST(NoPeak, SaysHowTheRunEndedAndWhatToDo) {
+  mpm::Scene scene;
+  mpm::Result result;
+  const auto go_to = [&](double strain, double stress) {
+    mpm::HistoryRow row;
+    row.strain = strain;
+    row.stress = stress;
+    result.history.push_back(row);
+  };
+  go_to(0, 0);
+  EXPECT_THAT(output::no_peak_text(result, scene), HasSubstr("the stress never rose above 0"));
+  go_to(1e-4, 3e6);
+  result.peak_stress = 3e6;
+  result.peak_strain = 1e-4;
+  EXPECT_EQ(output::no_peak_text(result, scene),
+            "no peak was reached: the stress was still rising at stop_strain, 100e-6, to 3.000 MPa; choose a "
+            "larger loading.stop_strain");
+  go_to(1.1e-4, 2.94e6);
+  EXPECT_THAT(output::no_peak_text(result, scene), HasSubstr("had fallen by no more than 2.0"));
+  result.stop = mpm::StopReason::interrupted;
+  EXPECT_THAT(output::no_peak_text(result, scene), HasSubstr("when the run ended"));
+  go_to(1.2e-4, 1e6);
+  EXPECT_EQ(output::no_peak_text(result, scene), "");
+  result.history.pop_back();
+  EXPECT_EQ(output::no_peak_text(result, falling()), "") << "a flight that hits nothing has none";
+}
+
 }  // namespace run_words_test

@@ -31,6 +31,13 @@ TEST(Summary, HoldsTheFiguresOfTheResult) {
   EXPECT_EQ(figures["end_strain"], run.result.history.back().strain);
 }
 
+TEST(Summary, SaysWhetherThereIsAPeak) {
+  EXPECT_EQ(summary(tension_run(30).record())["peak_reached"], true);
+  FakeRun rising = tension_run(30);
+  std::erase_if(rising.result.history, [](const mpm::HistoryRow& row) { return row.strain > 144e-6; });
+  EXPECT_EQ(summary(rising.record())["peak_reached"], false);
+}
+
 TEST(Summary, HoldsTheSettingAndTheSource) {
   const FakeRun run = compression_run(30);
   const RunRecord record = run.record();

@@ -52,6 +52,21 @@ TEST(SeedRuns, FindAPeakBeyondTheEndOfTheScene) {
   EXPECT_NEAR(found->front().peak_strain, whole->front().peak_strain, 0.02 * whole->front().peak_strain);
 }
 
+TEST(SeedRuns, SayWhetherTheyHaveAPeak) {
+  mpm::Scene scene = small_scene();
+  const auto whole = app::run_seeds(scene, {1}, RunEnd::of_scene, never);
+  EXPECT_TRUE(whole->front().peak_reached);
+  EXPECT_TRUE(app::run_seeds(scene, {1}, RunEnd::past_peak, never)->front().peak_reached);
+  scene.loading.stop_strain = 0.2 * whole->front().peak_strain;
+  EXPECT_FALSE(app::run_seeds(scene, {1}, RunEnd::of_scene, never)->front().peak_reached);
+}
+
+TEST(SeedRuns, SpreadOverThoseWithAPeak) {
+  const std::vector<SeedRun> runs{{1, 3e6, 1e-4, {}, true}, {2, 9e6, 1e-4, {}, false}};
+  EXPECT_EQ(app::spread_of_peaks(runs, &SeedRun::peak_stress).mean, 3e6);
+  EXPECT_EQ(app::count_without_peak(runs), 1U);
+}
+
 TEST(SeedRuns, AreNoneWhenTheyWereStopped) {
   std::atomic<int> asked{0};
   EXPECT_FALSE(

@@ -31,6 +31,17 @@ TEST(SceneFile, AnEmptyOneGivesTheDefaults) {
   for (const app::Field& field : app::fields()) EXPECT_EQ(field.get(settings), field.get({})) << field.key;
 }
 
+TEST(SceneFile, ChoosesAStopStrainBeyondThePeak) {
+  const auto chosen = [](const std::string& loading) {
+    return settings_of("[loading]\n" + loading).scene.loading.stop_strain;
+  };
+  EXPECT_EQ(chosen(""), 4e-4);
+  EXPECT_EQ(chosen("stop_drop = 0.2\n"), 1e-3);
+  EXPECT_EQ(chosen("direction = \"compression\"\n"), 4e-3);
+  EXPECT_EQ(chosen("direction = \"compression\"\nstop_drop = 0.5\n"), 1e-2);
+  EXPECT_EQ(chosen("direction = \"compression\"\nstop_strain = 3e-4\n"), 3e-4) << "what is given stays";
+}
+
 TEST(SceneFile, SetsWhatItSays) {
   const app::Settings settings = settings_of(R"(
     [loading]

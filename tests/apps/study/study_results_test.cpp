@@ -100,6 +100,30 @@ TEST(StudyTable, HasARowAMember) {
               HasSubstr("member,id,wall_time_s,instruction_set\n0," + members[0].id + ",0,\n"));
 }
 
+TEST_F(StudyResultsOf, LeaveMembersWithoutAPeakOutOfAllStatistics) {
+  put(0, 4, 1);
+  put(1, 4, 1);
+  mpm::Result rising = test::triangle(5e6, 1e-4);
+  rising.history.resize(101);  // to its largest stress
+  mpm::write_result(folder_.result_file(members_[2]).string(), rising,
+                    reworded(member_scene(*members_[2].settings)));
+  const StudyResults results = read_results(folder_, members_);
+  EXPECT_TRUE(std::isnan(results.peak_stress()[2]));
+  EXPECT_TRUE(std::isnan(results.peak_strain()[2]));
+  EXPECT_EQ(results.peak_stress()[1], 3e6);
+  EXPECT_EQ(results.without_peak(), 1U);
+  EXPECT_THAT(without_peak_text(results), HasSubstr("1 of 3 members reached no peak"));
+  const std::string csv = table_csv(study_table(study_, members_, results));
+  EXPECT_THAT(csv, HasSubstr("peak_stress_Pa,peak_strain,peak_reached,"));
+  EXPECT_THAT(csv, HasSubstr(",3000000,0.0001,1,"));
+  EXPECT_THAT(csv, HasSubstr(",,,0,"));
+}
+
+TEST_F(StudyResultsOf, SayNothingWhereAllHaveAPeak) {
+  put(0, 4, 1);
+  EXPECT_EQ(without_peak_text(read_results(folder_, members_)), "");
+}
+
 TEST(StudyTable, QuotesTextsThatHoldCommas) {
   const mpm::TableColumn column{"a", "J/m", "", std::vector<std::string>{"x", "y, z", "say \"so\""}};
   EXPECT_EQ(table_csv({column}), "a_J_per_m\nx\n\"y, z\"\n\"say \"\"so\"\"\"\n");

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "libmpm/run/simulate.hpp"
 #include "libmpm/solver/lattice/cell_limit.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
@@ -205,6 +208,31 @@ TEST(Spent, ARunInFlightGoesOn) {
   const mpm::Result result = mpm::simulate(scene);
   EXPECT_EQ(result.stop, mpm::StopReason::time);
   EXPECT_FALSE(result.nothing_carries);
+}
+
+std::ptrdiff_t rows_up_to_the_peak(const mpm::Result& result) {
+  return std::count_if(result.history.begin(), result.history.end(),
+                       [&](const mpm::HistoryRow& row) { return row.strain <= result.peak_strain; });
+}
+
+TEST(Rows, LieCloseUpToThePeakWhateverTheStopStrain) {
+  mpm::Scene scene = samples::pulled(samples::small_concrete(20, 20));
+  scene.loading.stop_drop = 0.5;
+  scene.history_rows = 100;
+  for (const double stop_strain : {1e-3, 2e-2}) {
+    scene.loading.stop_strain = stop_strain;
+    const mpm::Result result = mpm::simulate(scene);
+    ASSERT_EQ(result.stop, mpm::StopReason::drop);
+    EXPECT_GE(rows_up_to_the_peak(result), 20) << stop_strain;
+    EXPECT_LE(result.history.size(), 200U) << stop_strain;
+  }
+}
+
+TEST(Rows, AreThoseOfThePlanWhereNothingCanFail) {
+  const mpm::Scene scene = samples::unbreakable(samples::mortar_block(20, 20));
+  EXPECT_EQ(mpm::early_strain(scene), 0);
+  const mpm::Plan plan = mpm::plan(scene);
+  EXPECT_EQ(mpm::steps_to_next_row(scene, plan, 0, 1e-5), plan.steps_per_row);
 }
 
 }  // namespace run_history_test

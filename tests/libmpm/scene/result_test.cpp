@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string_view>
+#include <vector>
 
 namespace result_test {
 
@@ -28,6 +29,37 @@ TEST(HistoryColumns, HaveDistinctNamesAndAUnitEach) {
     EXPECT_FALSE(column.unit.empty()) << column.name;
     EXPECT_FALSE(column.meaning.empty()) << column.name;
   }
+}
+
+/// A run through stresses [MPa] at strains of 1, 2, 3 ... in 1e-4.
+mpm::Result run_through(const std::vector<double>& stresses) {
+  mpm::Result result;
+  result.history.emplace_back();
+  for (const double stress : stresses) {
+    mpm::HistoryRow row;
+    row.strain = 1e-4 * static_cast<double>(result.history.size());
+    row.stress = 1e6 * stress;
+    if (row.stress > result.peak_stress) {
+      result.peak_stress = row.stress;
+      result.peak_strain = row.strain;
+    }
+    result.history.push_back(row);
+  }
+  return result;
+}
+
+TEST(PeakReached, OnlyOnceTheStressHasFallenAgain) {
+  EXPECT_TRUE(mpm::peak_reached(run_through({1, 2, 3, 1})));
+  EXPECT_TRUE(mpm::peak_reached(run_through({1, 3, 2.8, 2.99}))) << "it had fallen in between";
+  EXPECT_FALSE(mpm::peak_reached(run_through({1, 2, 3}))) << "the largest stress is the last";
+  EXPECT_FALSE(mpm::peak_reached(run_through({1, 2, 1.5, 3, 2.98}))) << "a drop before is none after";
+  EXPECT_FALSE(mpm::peak_reached(run_through({})));
+  EXPECT_FALSE(mpm::peak_reached(run_through({-1, -2}))) << "the stress never rose above 0";
+}
+
+TEST(PeakReached, TellsHowFarTheStressHasFallen) {
+  EXPECT_DOUBLE_EQ(mpm::fall_after_peak(run_through({1, 4, 3, 3.5})), 0.25);
+  EXPECT_EQ(mpm::fall_after_peak(run_through({1, 2, 3})), 0);
 }
 
 }  // namespace result_test
