@@ -63,11 +63,17 @@ std::string seeds_text(const std::vector<SeedRun>& runs) {
 }
 
 std::string runs_line(const std::vector<SeedRun>& runs) {
-  std::string line = fmt::format("peak {} ({}", peak_text(mean_peak(runs)), seeds_text(runs));
-  if (runs.size() > 1)
-    line += fmt::format("; standard deviation {} and {}",
-                        stress_text(spread_of(runs, &SeedRun::peak_stress).deviation),
-                        strain_text(spread_of(runs, &SeedRun::peak_strain).deviation));
+  const std::size_t without = count_without_peak(runs);
+  if (without == runs.size())
+    return fmt::format("no peak, largest stress {} ({}), where the runs ended", peak_text(mean_peak(runs)),
+                       seeds_text(runs));
+  const Spread stress = spread_of_peaks(runs, &SeedRun::peak_stress);
+  const Spread strain = spread_of_peaks(runs, &SeedRun::peak_strain);
+  std::string line = fmt::format("peak {} ({}", peak_text({stress.mean, strain.mean}), seeds_text(runs));
+  if (runs.size() > without + 1)
+    line += fmt::format("; standard deviation {} and {}", stress_text(stress.deviation),
+                        strain_text(strain.deviation));
+  if (without > 0) line += fmt::format("; without {} that reached no peak", without);
   return line + ")";
 }
 
@@ -256,11 +262,11 @@ std::vector<std::string> peak_row(const std::string& name, double stress, double
 void add_peaks(std::vector<std::vector<std::string>>& rows, const std::string& name,
                const std::vector<SeedRun>& runs, const StrainUnit& unit) {
   for (const SeedRun& run : runs)
-    rows.push_back(
-        peak_row(fmt::format("{}, seed {}", name, run.seed), run.peak_stress, run.peak_strain, unit));
-  if (runs.size() < 2) return;
-  const Spread stress = spread_of(runs, &SeedRun::peak_stress);
-  const Spread strain = spread_of(runs, &SeedRun::peak_strain);
+    rows.push_back(peak_row(fmt::format("{}, seed {}{}", name, run.seed, run.peak_reached ? "" : ", no peak"),
+                            run.peak_stress, run.peak_strain, unit));
+  if (runs.size() < count_without_peak(runs) + 2) return;
+  const Spread stress = spread_of_peaks(runs, &SeedRun::peak_stress);
+  const Spread strain = spread_of_peaks(runs, &SeedRun::peak_strain);
   rows.push_back(peak_row(name + ", mean", stress.mean, strain.mean, unit));
   rows.push_back(peak_row(name + ", standard deviation", stress.deviation, strain.deviation, unit));
 }
@@ -307,17 +313,22 @@ constexpr const char* search_caption =
 std::string calibration_html(const CalibrationTask& task, const Calibration& calibration,
                              const std::string& title, const std::string& scene_toml) {
   using output::section;
+  const auto standing = [](const char* heading, const auto& make) {
+    return output::standing(heading, [&] { return section(heading, make()); });
+  };
   return output::page(
       title,
-      header(task, calibration, title) +
-          section("Target and fit",
-                  output::side_by_side(
-                      "lead", output::chart_figure(curves_chart(task, calibration), 590, 400, curves_caption),
-                      search_facts(task, calibration))) +
-          section("Parameters", parameters_table(task, calibration)) +
-          section("Peaks", peaks_table(calibration)) +
-          section("Search", output::chart_figure(search_chart(calibration), 590, 300, search_caption)) +
-          section("Scene", output::folded("The fitted scene, with every default written out", scene_toml)));
+      header(task, calibration, title) + standing("Target and fit", [&] {
+        return output::side_by_side(
+            "lead", output::chart_figure(curves_chart(task, calibration), 590, 400, curves_caption),
+            search_facts(task, calibration));
+      }) + standing("Parameters", [&] {
+        return parameters_table(task, calibration);
+      }) + standing("Peaks", [&] {
+        return peaks_table(calibration);
+      }) + standing("Search", [&] {
+        return output::chart_figure(search_chart(calibration), 590, 300, search_caption);
+      }) + section("Scene", output::folded("The fitted scene, with every default written out", scene_toml)));
 }
 
 }  // namespace app

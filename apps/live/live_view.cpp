@@ -29,12 +29,17 @@ std::string bar(const Stage& stage) {
 }  // namespace
 
 std::string watching_html(const RunRecord& record, const Stage& stage) {
-  return watching_page(title_of(record),
-                       header_html(record) + bar(stage) + curve_section(record) + film_section(record) +
-                           ledger_section(record) + specimen_section(record) + solution_section(record) +
-                           notes_section(record) + scene_section(record) + glossary_section() +
-                           citation_section(record),
-                       report_data(record));
+  const auto stands = [&](const char* name, std::string (*of)(const RunRecord&)) {
+    return standing(name, [&] { return of(record); });
+  };
+  return watching_page(
+      title_of(record),
+      header_html(record) + bar(stage) + stands("Stress and strain", curve_section) +
+          stands("Film of the damage", film_section) + stands("Energies and failures", ledger_section) +
+          stands("Specimen", specimen_section) + stands("Solution and provenance", solution_section) +
+          stands("Notes", notes_section) + stands("Scene", scene_section) + glossary_section() +
+          citation_section(record),
+      report_data(record));
 }
 
 std::string watching_update(const RunRecord& record, const Stage& stage) {

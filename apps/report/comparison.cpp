@@ -40,6 +40,7 @@ Chart curves(const Runs& runs, const StrainUnit& unit) {
 struct Figure {
   std::string name, unit;
   std::function<double(const mpm::Result&)> of;
+  bool of_peak = false;  ///< of a run without a peak it is that of the largest stress
 };
 
 std::vector<Figure> figures(const StrainUnit& unit) {
@@ -48,8 +49,9 @@ std::vector<Figure> figures(const StrainUnit& unit) {
     return result.history.empty() ? mpm::HistoryRow{} : result.history.back();
   };
   return {
-      {"Peak stress", "MPa", [](const mpm::Result& r) { return 1e-6 * r.peak_stress; }},
-      {"Strain at the peak", unit.name, [=](const mpm::Result& r) { return per_strain * r.peak_strain; }},
+      {"Peak stress", "MPa", [](const mpm::Result& r) { return 1e-6 * r.peak_stress; }, true},
+      {"Strain at the peak", unit.name, [=](const mpm::Result& r) { return per_strain * r.peak_strain; },
+       true},
       {"Secant modulus at 40 %", "GPa", [](const mpm::Result& r) { return 1e-9 * secant_modulus(r); }},
       {"Strain at the end", unit.name, [=](const mpm::Result& r) { return per_strain * end(r).strain; }},
       {"Work of the platens", "J/m", [=](const mpm::Result& r) { return end(r).platen_work; }},
@@ -81,8 +83,10 @@ std::string figure_table(const Runs& runs, const StrainUnit& unit) {
   for (const Figure& figure : figures(unit)) {
     std::vector<std::string> row{figure.name + " [" + figure.unit + "]"};
     const double first = figure.of(runs.front().result);
-    for (const ComparedRun& run : runs)
+    for (const ComparedRun& run : runs) {
       row.push_back(with_distance(figure.of(run.result), first, &run == &runs.front()));
+      if (figure.of_peak && !mpm::peak_reached(run.result)) row.back() += ", no peak";
+    }
     rows.push_back(std::move(row));
   }
   return number_table(head(runs, "In brackets: difference from the first run"), rows);
@@ -109,12 +113,16 @@ std::string comparison_html(const Runs& runs, const std::vector<ComparedSetting>
                                        {"csv", nullptr},
                                        {"charts", {{"stress", chart_json(chart)}}},
                                        {"film", nullptr}};
-  return live_page(title,
-                   heading(title, std::string("mesopix ") + app::version()) +
-                       section("Stress and strain", chart_figure("stress", chart, 900, 480, caption)) +
-                       section("Key figures", figure_table(runs, unit)) +
-                       section("Differences between the scenes", setting_table(runs, settings)),
-                   inert_text(data));
+  return live_page(
+      title,
+      heading(title, std::string("mesopix ") + app::version()) +
+          standing("Stress and strain",
+                   [&] {
+                     return section("Stress and strain", chart_figure("stress", chart, 900, 480, caption));
+                   }) +
+          standing("Key figures", [&] { return section("Key figures", figure_table(runs, unit)); }) +
+          section("Differences between the scenes", setting_table(runs, settings)),
+      inert_text(data));
 }
 
 }  // namespace output

@@ -12,12 +12,23 @@
 namespace output {
 
 std::string report_html(const RunRecord& record) {
-  return live_page(title_of(record),
-                   header_html(record) + curve_section(record) + error_section(record) +
-                       film_section(record) + damage_section(record) + specimen_section(record) +
-                       ledger_section(record) + solution_section(record) + notes_section(record) +
-                       scene_section(record) + glossary_section() + citation_section(record),
-                   report_data(record));
+  const struct {
+    const char* heading;
+    std::string (*of)(const RunRecord&);
+  } sections[] = {{"Stress and strain", curve_section},
+                  {"Error of the peak", error_section},
+                  {"Film of the damage", film_section},
+                  {"Damage", damage_section},
+                  {"Specimen", specimen_section},
+                  {"Energies and failures", ledger_section},
+                  {"Solution and provenance", solution_section},
+                  {"Notes", notes_section},
+                  {"Scene", scene_section},
+                  {"Glossary", [](const RunRecord&) { return glossary_section(); }},
+                  {"How to cite", citation_section}};
+  std::string html = header_html(record);
+  for (const auto& one : sections) html += standing(one.heading, [&] { return one.of(record); });
+  return live_page(title_of(record), html, report_data(record));
 }
 
 namespace {

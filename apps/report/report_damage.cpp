@@ -51,6 +51,28 @@ std::string end_figure(const RunRecord& record, const std::vector<Look>& looks) 
                     grouped(record.result.tension_failures), grouped(record.result.shear_failures));
 }
 
+/// Whether a run went on beyond the last stage drawn, and not as far as to the next.
+bool ends_between(const DamageStages& stages) {
+  return !stages.drawn.empty() && !stages.missing.empty() &&
+         100 * stages.reached >= stages.drawn.back().percent + 1;
+}
+
+/// The damage at the end of such a run, in which points keep their place.
+std::string last_figure(const RunRecord& record, const DamageStages& stages, const std::vector<Look>& looks) {
+  const double strain = stages.reached * record.result.peak_strain;
+  std::string html = "<figure>\n";
+  for (const Look& look : looks)
+    html += image(damage_picture(record.specimen.mask, record.result, strain, look.palette),
+                  "Damage at the end", look.css_class);
+  const StrainUnit unit = strain_unit(record.result);
+  return html +
+         fmt::format(
+             "<figcaption><b>At the end</b>, {:.0f} % of the peak strain<br/>{} {}<br/>{} failed in tension, "
+             "{} in shear</figcaption>\n</figure>\n",
+             100 * stages.reached, rounded(unit.per_strain * strain), unit.name,
+             grouped(record.result.tension_failures), grouped(record.result.shear_failures));
+}
+
 /// What the pictures do not show.
 std::string remarks_on(const RunRecord& record, const DamageStages& stages) {
   std::string html;
@@ -81,7 +103,10 @@ std::string damage_section(const RunRecord& record) {
     html += legend(look.css_class, damage_entries(record.specimen.mask, look.palette));
   std::string figures;
   for (const DamageStage& stage : stages.drawn) figures += figure(record, stage, looks);
-  if (shows_end) figures += end_figure(record, looks);
+  if (shows_end)
+    figures += end_figure(record, looks);
+  else if (ends_between(stages))
+    figures += last_figure(record, stages, looks);
   return section("Damage", html + pictures(figures) + remarks(remarks_on(record, stages)));
 }
 

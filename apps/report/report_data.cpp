@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -202,21 +203,38 @@ Json strain_json(const RunRecord& record) {
   return {{"name", unit.name}, {"per_strain", unit.per_strain}};
 }
 
+namespace {
+
+/// The script draws what there is: a fault here is told by the section that shows the same.
+template <class Make>
+void add_standing(Json& all, const char* name, const Make& make) {
+  try {
+    all[name] = make();
+  } catch (const std::exception&) {
+    all.erase(name);
+  }
+}
+
+}  // namespace
+
 Json charts_of_run(const RunRecord& record) {
-  return {{"stress", chart_json(stress_chart(record), reference_series(record))},
-          {"energy", chart_json(energy_chart(record))},
-          {"failure", chart_json(failure_chart(record))},
-          {"failure-strain", chart_json(failure_strain_chart(record))}};
+  Json charts = Json::object();
+  add_standing(charts, "stress", [&] { return chart_json(stress_chart(record), reference_series(record)); });
+  add_standing(charts, "energy", [&] { return chart_json(energy_chart(record)); });
+  add_standing(charts, "failure", [&] { return chart_json(failure_chart(record)); });
+  add_standing(charts, "failure-strain", [&] { return chart_json(failure_strain_chart(record)); });
+  return charts;
 }
 
 std::string report_data(const RunRecord& record) {
   Json charts = charts_of_run(record);
-  charts["sieve"] = chart_json(sieve_chart(record.specimen), sieve_references(record.specimen));
+  add_standing(charts, "sieve",
+               [&] { return chart_json(sieve_chart(record.specimen), sieve_references(record.specimen)); });
   const Json csv = record.goes_on ? Json(nullptr) : Json(deflated_base64(curve_csv(record.result.history)));
-  return inert_text({{"strain", strain_json(record)},
-                     {"csv", csv},
-                     {"charts", std::move(charts)},
-                     {"film", has_film(record) ? film_data(record) : Json(nullptr)}});
+  Json all{{"strain", strain_json(record)}, {"csv", csv}, {"charts", std::move(charts)}, {"film", nullptr}};
+  if (has_film(record)) add_standing(all, "film", [&] { return film_data(record); });
+  if (!all.contains("film")) all["film"] = nullptr;
+  return inert_text(all);
 }
 
 }  // namespace output

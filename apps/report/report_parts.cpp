@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 
 #include "apps/drawing/chart.hpp"
 #include "apps/drawing/drawing_files.hpp"
@@ -85,6 +86,15 @@ std::string section(const std::string& heading, const std::string& html) {
 }
 
 std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n", escape(text)); }
+
+std::string standing(const std::string& heading, const std::function<std::string()>& make) {
+  try {
+    return make();
+  } catch (const std::exception& fault) {
+    return section(heading, paragraph(std::string("This section could not be made: ") + fault.what() +
+                                      ". All other sections are complete."));
+  }
+}
 
 std::string remarks(const std::string& html) { return "<div class=\"remarks\">\n" + html + "</div>\n"; }
 

@@ -2,6 +2,7 @@
 /// already, all others are plain text and escaped.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,10 @@ struct Fact {
 [[nodiscard]] std::string heading(const std::string& title, const std::string& setting);
 [[nodiscard]] std::string section(const std::string& heading, const std::string& html);
 [[nodiscard]] std::string paragraph(const std::string& text);
+
+/// A section that stands by itself: what `make` returns, or where that throws, a section of this heading that
+/// tells the fault, so that the rest of the page is not lost with it.
+[[nodiscard]] std::string standing(const std::string& heading, const std::function<std::string()>& make);
 [[nodiscard]] std::string remarks(const std::string& html);   ///< small, below what they are about
 [[nodiscard]] std::string pictures(const std::string& html);  ///< figures beside each other
 [[nodiscard]] std::string notes_list(const std::vector<std::string>& notes);

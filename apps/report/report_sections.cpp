@@ -22,7 +22,7 @@ namespace {
 
 /// Without the unit.
 std::string size_in_mm(const specimen::LabelledMask& mask) {
-  return concise(1e3 * mask.width()) + " × " + concise(1e3 * mask.height());
+  return concise(1e3 * mask.width(), 4) + " × " + concise(1e3 * mask.height(), 4);
 }
 
 std::string size_in_pixels(const specimen::LabelledMask& mask) {
@@ -44,8 +44,10 @@ std::string when(const RunRecord& record) { return record.goes_on ? " now" : " a
 std::vector<Fact> strength_facts(const RunRecord& record, const mpm::HistoryRow& end) {
   const mpm::Result& result = record.result;
   const StrainUnit unit = strain_unit(result);
-  return {{"Peak stress", rounded(1e-6 * result.peak_stress), "MPa"},
-          {"Strain at the peak", rounded(unit.per_strain * result.peak_strain), unit.name},
+  const bool peak = mpm::peak_reached(result);
+  return {{peak ? "Peak stress" : "Largest stress, no peak", rounded(1e-6 * result.peak_stress), "MPa"},
+          {peak ? "Strain at the peak" : "Strain at it", rounded(unit.per_strain * result.peak_strain),
+           unit.name},
           {"Secant modulus at 40 %", rounded(1e-9 * secant_modulus(result)), "GPa"},
           {"Stress" + when(record), rounded(1e-6 * end.stress), "MPa"},
           {"Strain" + when(record), rounded(unit.per_strain * end.strain), unit.name},
@@ -56,8 +58,11 @@ std::vector<Fact> flight_facts(const RunRecord& record, const mpm::HistoryRow& e
   const mpm::Result& result = record.result;
   const StrainUnit unit = strain_unit(result);
   const double at_start = result.history.empty() ? 0 : result.history.front().kinetic;
-  return {{"Peak stress on the walls", rounded(1e-6 * result.peak_stress), "MPa"},
-          {"Nominal strain at the peak", rounded(unit.per_strain * result.peak_strain), unit.name},
+  const bool peak = mpm::peak_reached(result);
+  return {{peak ? "Peak stress on the walls" : "Largest stress on the walls",
+           rounded(1e-6 * result.peak_stress), "MPa"},
+          {peak ? "Nominal strain at the peak" : "Nominal strain at it",
+           rounded(unit.per_strain * result.peak_strain), unit.name},
           {"Time" + when(record), rounded(1e3 * end.time), "ms"},
           {"Initial kinetic energy", rounded(at_start), "J/m"},
           {"Kinetic energy" + when(record), rounded(end.kinetic), "J/m"}};

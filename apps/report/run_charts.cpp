@@ -9,6 +9,7 @@
 #include "apps/report/run_words.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/words.hpp"
+#include "specimen/body/error.hpp"
 #include "specimen/describe/statistics.hpp"
 #include "specimen/pack/grading.hpp"
 
@@ -83,8 +84,8 @@ Series so_far(const RunRecord& record, const std::string& name, Ink ink, const s
 }
 
 std::string peak_text(const mpm::Result& result, const StrainUnit& unit) {
-  return "peak " + rounded(1e-6 * result.peak_stress) + " MPa at " +
-         rounded(unit.per_strain * result.peak_strain) + " " + unit.name;
+  return (mpm::peak_reached(result) ? "peak " : "no peak: largest ") + rounded(1e-6 * result.peak_stress) +
+         " MPa at " + rounded(unit.per_strain * result.peak_strain) + " " + unit.name;
 }
 
 }  // namespace
@@ -203,6 +204,17 @@ Series passing(const specimen::Grading& grading, const std::string& name, Ink in
   return series;
 }
 
+constexpr double finest_sieve = 0.25e-3;  ///< of DIN 1045-2 [m]
+
+/// A standard curve between two sizes; none where it has no aggregate between them.
+void add_reference(std::vector<Series>& series, const std::string& grading, double least, double largest,
+                   const std::string& name, Ink ink, bool in_plane_cut = false) {
+  try {
+    series.push_back(passing(specimen::named_grading(grading, least, largest, in_plane_cut), name, ink));
+  } catch (const specimen::Error&) {  // it says nothing of such sizes
+  }
+}
+
 /// Sieves of DIN 1045-2 by their largest grain [mm].
 std::string family_of(double largest) { return largest <= 8e-3 ? "8" : largest <= 16e-3 ? "16" : "32"; }
 
@@ -228,11 +240,10 @@ std::vector<Series> sieve_references(const specimen::Specimen& specimen) {
   const Ink inks[] = {Ink::second, Ink::third, Ink::fourth};
   for (int i = 0; i < 3; ++i) {
     const std::string name = std::string(1, "ABC"[i]) + family_of(largest);
-    series.push_back(passing(specimen::named_grading(name, least, largest), name, inks[i]));
+    add_reference(series, name, std::max(least, finest_sieve), largest, name, inks[i]);
   }
-  series.push_back(passing(specimen::named_grading("fuller", least, largest), "Fuller", Ink::fifth));
-  series.push_back(
-      passing(specimen::named_grading("fuller", least, largest, true), "Fuller, plane cut", Ink::muted));
+  add_reference(series, "fuller", least, largest, "Fuller", Ink::fifth);
+  add_reference(series, "fuller", least, largest, "Fuller, plane cut", Ink::muted, true);
   return series;
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <exception>
 
+#include "apps/report/report_parts.hpp"
 #include "apps/system/job_pool.hpp"
 #include "apps/text/complaint.hpp"
 #include "apps/text/words.hpp"
@@ -80,7 +82,13 @@ FigureResult result_of(const Figure& figure, const Effort& effort, const TrialRe
   FigureResult result{&figure, false, {}};
   result.done =
       all_done(figure.trials(effort), outcomes) && all_done(more_trials(figure, effort, outcomes), outcomes);
-  if (result.done) result.section = figure.evaluate(effort, outcomes);
+  if (!result.done) return result;
+  try {
+    result.section = figure.evaluate(effort, outcomes);
+  } catch (const std::exception& fault) {  // the other figures are not lost with this one
+    result.section.html =
+        output::paragraph(std::string("This figure could not be made: ") + fault.what() + ".");
+  }
   return result;
 }
 

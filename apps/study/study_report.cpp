@@ -105,12 +105,22 @@ bool has_crack_picture(const StudyRecord& record) {
 }
 
 std::string study_html(const StudyRecord& record, const std::string& study_toml) {
+  const struct {
+    const char* heading;
+    std::string (*of)(const StudyRecord&);
+  } sections[] = {{"Peaks", peaks_section},
+                  {"Weibull distribution", weibull_section},
+                  {"How the mean settles", convergence_section},
+                  {"Curves", curves_section},
+                  {"Where it cracks", cracks_section},
+                  {"Sensitivities", sensitivity_section},
+                  {"Size effect", size_section},
+                  {"Failures", failures_section},
+                  {"Notes", notes_section}};
+  std::string html = header(record);
+  for (const auto& one : sections) html += output::standing(one.heading, [&] { return one.of(record); });
   return output::page(record.study.plan.title,
-                      header(record) + peaks_section(record) + weibull_section(record) +
-                          convergence_section(record) + curves_section(record) + cracks_section(record) +
-                          sensitivity_section(record) + size_section(record) + failures_section(record) +
-                          notes_section(record) +
-                          section("Study", output::folded("The study file", study_toml)));
+                      html + section("Study", output::folded("The study file", study_toml)));
 }
 
 void write_study_report(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,

@@ -270,21 +270,28 @@ std::string twin_html(const TwinTask& task, const std::vector<TwinRecord>& twins
   using output::chart_figure;
   using output::side_by_side;
   const std::string title = "Twins of " + task.name;
+  const auto standing = [](const char* heading, const auto& make) {
+    return output::standing(heading, [&] { return section(heading, make()); });
+  };
+  const auto match = [&] {
+    return output::paragraph(figure_words) + figures_table(task, misfit) + output::paragraph(curve_words) +
+           curves_table(misfit);
+  };
+  const auto places = [&] {
+    return side_by_side("even", chart_figure(s2_chart(task, twins), 500, 330, s2_caption),
+                        chart_figure(s2_along_axes_chart(task, twins), 500, 330, s2_axes_caption));
+  };
+  const auto shapes = [&] {
+    return output::in_pairs({chart_figure(size_chart(task, twins), 500, 330, size_caption),
+                             chart_figure(aspect_chart(task, twins), 500, 330, aspect_caption),
+                             chart_figure(direction_chart(task, twins), 500, 330, direction_caption),
+                             chart_figure(gap_chart(task, twins), 500, 330, gap_caption)});
+  };
   return output::page(
-      title,
-      output::heading(title, twins_text(task, twins.size())) +
-          section("The original and its twins", pictures(task, twins)) +
-          section("How well they match", output::paragraph(figure_words) + figures_table(task, misfit) +
-                                             output::paragraph(curve_words) + curves_table(misfit)) +
-          section("Where aggregate is",
-                  side_by_side("even", chart_figure(s2_chart(task, twins), 500, 330, s2_caption),
-                               chart_figure(s2_along_axes_chart(task, twins), 500, 330, s2_axes_caption))) +
-          section("Sizes and shapes",
-                  output::in_pairs({chart_figure(size_chart(task, twins), 500, 330, size_caption),
-                                    chart_figure(aspect_chart(task, twins), 500, 330, aspect_caption),
-                                    chart_figure(direction_chart(task, twins), 500, 330, direction_caption),
-                                    chart_figure(gap_chart(task, twins), 500, 330, gap_caption)})) +
-          section("How it was made", sentences(notes)));
+      title, output::heading(title, twins_text(task, twins.size())) +
+                 standing("The original and its twins", [&] { return pictures(task, twins); }) +
+                 standing("How well they match", match) + standing("Where aggregate is", places) +
+                 standing("Sizes and shapes", shapes) + section("How it was made", sentences(notes)));
 }
 
 }  // namespace app

@@ -111,8 +111,9 @@ class LiveChart {
         value: (_, y) => rounded(y),
       }))],
       cursor: { drag: { x: true, y: false } },
-      hooks: { draw: [(plot) => this.draw_markers(plot), (plot) => this.draw_moment(plot)] },
+      hooks: { setCursor: [(plot) => this.holder.classList.toggle("idle", plot.cursor.idx == null)], draw: [(plot) => this.draw_markers(plot), (plot) => this.draw_moment(plot)] },
     }, aligned(this.all), this.holder);
+    this.holder.classList.toggle("idle", this.plot.cursor.idx == null);
     if (this.pick)
       this.plot.over.addEventListener("click", () => {
         if (this.plot.cursor.left >= 0 && this.plot.select.width === 0) this.pick(this.plot.posToVal(this.plot.cursor.left, "x"));

@@ -9,7 +9,7 @@ class Page {
     const film = data.film && (await Film.of(data.film));
     page.stage = film && new FilmStage(film, data.strain, page.moment);
     const pick = page.stage ? (x) => page.stage.go_to(x / page.data.strain.per_strain) : null;
-    page.charts = Object.entries(data.charts).map(
+    page.charts = Object.entries(data.charts).filter(([id]) => document.getElementById("chart-" + id)).map(
         ([id, chart]) => new LiveChart(id, chart, page.moment, id === "sieve" ? null : pick));
     if (page.stage) {
       page.stage.moved = () => page.charts.forEach((chart) => chart.redraw());

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "apps/report/report_parts.hpp"
 #include "tests/apps/fake_run.hpp"
 
 namespace report_test {
@@ -40,6 +43,36 @@ TEST(Report, ShowsKeyFiguresWithUnits) {
   EXPECT_THAT(page, HasSubstr("peak 3.43 MPa at 144 microstrain"));
 }
 
+TEST(Report, CallsNothingAPeakThatIsNone) {
+  FakeRun run = tension_run(60);
+  std::erase_if(run.result.history, [](const mpm::HistoryRow& row) { return row.strain > 144e-6; });
+  const std::string page = report_html(run.record());
+  EXPECT_THAT(page, HasSubstr("Largest stress, no peak</th><td>3.43</td>"));
+  EXPECT_THAT(page, HasSubstr("no peak: largest 3.43 MPa at 144 microstrain"));
+  EXPECT_THAT(page, Not(HasSubstr("Peak stress</th>")));
+}
+
+TEST(Report, TellsAFaultInItsSectionAndWritesTheRest) {
+  const std::string whole = output::standing("A", [] { return std::string("as it is"); });
+  EXPECT_EQ(whole, "as it is");
+  const std::string faulty =
+      output::standing("A & B", []() -> std::string { throw std::runtime_error("x < 1"); });
+  EXPECT_THAT(faulty, HasSubstr("<h2>A &amp; B</h2>"));
+  EXPECT_THAT(faulty, HasSubstr("This section could not be made: x &lt; 1."));
+}
+
+TEST(Report, StandsWhereAggregatesAreFinerThanAnySieve) {
+  FakeRun run = tension_run(60);
+  ASSERT_GT(run.specimen.inclusions.size(), 1U);
+  run.specimen.inclusions.front().equivalent_diameter = 0.1e-3;
+  const std::string page = report_html(run.record());
+  EXPECT_THAT(page, HasSubstr("Energies and failures"));
+  EXPECT_THAT(page, Not(HasSubstr("could not be made")));
+  for (specimen::Inclusion& inclusion : run.specimen.inclusions) inclusion.equivalent_diameter = 0.1e-3;
+  run.specimen.inclusions.front().equivalent_diameter = 0.2e-3;
+  EXPECT_THAT(report_html(run.record()), HasSubstr("Energies and failures"));
+}
+
 TEST(Report, ShowsEveryPictureInColourAndGrey) {
   const FakeRun run = tension_run(60);
   const std::string page = report_html(run.record());
@@ -54,6 +87,13 @@ TEST(Report, SaysWhichPicturesAreMissing) {
   EXPECT_THAT(page,
               HasSubstr("The run ended at 60 % of the peak strain: there is no picture of damage at 75 %, "
                         "100 %, 125 % and 150 %."));
+}
+
+TEST(Report, ShowsTheDamageAtTheEndBetweenTwoStages) {
+  const std::string page = report_html(tension_run(60, 124).record());
+  EXPECT_EQ(count(page, "% of the peak strain</b>"), 4U);
+  EXPECT_THAT(page, HasSubstr("<b>At the end</b>, 124 % of the peak strain"));
+  EXPECT_THAT(report_html(tension_run(60, 100).record()), Not(HasSubstr("At the end")));
 }
 
 TEST(Report, StandsWithoutAnyDamagePicture) {
