@@ -1,13 +1,16 @@
-#include "apps/command/command.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/command/command.hpp"
+#include "apps/command/scene_command.hpp"
 #include "apps/job/specimen_source.hpp"
 #include "apps/report/run_words.hpp"
+#include "apps/run/run_length.hpp"
 #include "apps/run/run_location.hpp"
 #include "apps/run/run_remarks.hpp"
 #include "apps/run/run_task.hpp"
@@ -137,16 +140,50 @@ class SimulateCommand : public SettingsCommand {
     return read_option("checkpoint-every", checkpoint_every_, QuantityCodec{Dimension::time, above(0)});
   }
 
+  /// What stops a run of a scene is told with all else that is wrong in its file.
+  /// @throws Rejected, from within a handler of what stopped it.
+  [[noreturn]] void refuse_all(const Console& console) const {
+    Rejected refusal = refusal_of(std::current_exception(), console.locate);
+    if (refusal.code != Exit::data || kind_of_input(input_) != InputKind::scene) throw refusal;
+    std::vector<Complaint> all = refusal.complaints;
+    const auto is_known = [&](const Complaint& other) {
+      return std::any_of(all.begin(), all.end(), [&](const Complaint& one) {
+        return one.field == other.field || other.field.starts_with(one.field + ".");
+      });
+    };
+    const std::vector<Assignment> given = settings_.assignments();
+    const auto is_given = [&](const Complaint& other) {
+      return std::any_of(given.begin(), given.end(),
+                         [&](const Assignment& one) { return one.key == other.field; });
+    };
+    for (const Complaint& other : check_file(input_).complaints)
+      if (!is_known(other) && !is_given(other)) all.push_back(other);
+    throw Rejected(refusal.code, std::move(all));
+  }
+
+  [[nodiscard]] Resolved resolve_or_refuse(Console& console) const try {
+    Resolved resolved = resolve_input("INPUT", input_, settings_.assignments());
+    console.locate = located_by(resolved.origins);
+    settle_source(resolved.settings);
+    return resolved;
+  } catch (const std::exception&) {
+    refuse_all(console);
+  }
+
+  [[nodiscard]] Job make_or_refuse(Settings settings, Console& console) const try {
+    return make_job(std::move(settings), console);
+  } catch (const std::exception&) {
+    refuse_all(console);
+  }
+
   [[nodiscard]] Exit begin(Console& console) {
     const std::optional<int> port = this->port();
     const std::optional<double> wanted = tolerance_.empty() ? std::nullopt : std::optional(tolerance());
     RunRemarks remarks;
     remarks.estimate_error = estimate_error_;
     remarks.checkpoint_every = checkpoint_every().value_or(0);
-    Resolved resolved = resolve_input("INPUT", input_, settings_.assignments());
-    console.locate = located_by(resolved.origins);
+    Resolved resolved = resolve_or_refuse(console);
     Settings& settings = resolved.settings;
-    settle_source(settings);
     if (settings.title.empty()) settings.title = fs::path(input_).stem().string();
     if (print_scene_) {
       console.out << scene_text(settings, Extent::whole, fs::current_path());
@@ -154,7 +191,7 @@ class SimulateCommand : public SettingsCommand {
     }
     const std::string left_out = note_of_left_out(resolved.origins, settings);
     if (!left_out.empty()) console.say("note: " + left_out);
-    Job job = make_job(std::move(settings), console);
+    Job job = make_or_refuse(std::move(settings), console);
     if (!left_out.empty()) job.notes.push_back(left_out);
     if (explain_) {
       const mpm::Explanation explanation = mpm::explain(job.scene);
@@ -167,6 +204,8 @@ class SimulateCommand : public SettingsCommand {
     if (wanted && job.scene.method == mpm::SolverMethod::quasi_static)
       throw Rejected(Exit::usage, "--tolerance", tolerance_, "is for explicit runs",
                      "choose --event-tolerance");
+    if (source_of(job.settings) == Source::picture && !resolved.origins.contains("convert.pixels"))
+      refuse_unasked_length(length_of(job.scene), job.specimen.mask.labels.cols);
     const FreshFolder folder(make_run_folder(output_, fs::path(input_).stem(), overwrite_));
     const InterruptGuard guard;
     try {

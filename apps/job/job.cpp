@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/system/job_pool.hpp"
 #include "apps/text/complaint.hpp"
 #include "apps/text/words.hpp"
 #include "specimen/describe/doubts.hpp"
@@ -254,8 +255,23 @@ mpm::Scene build_elastic_scene(const specimen::Specimen& specimen, const Setting
   return scene;
 }
 
+namespace {
+
+/// More threads than cores wait for each other most of the time, and no bit depends on them.
+void hold_to_cores(mpm::Scene& scene, std::vector<std::string>& notes) {
+  const int cores = core_count();
+  if (scene.threads <= cores) return;
+  notes.push_back(
+      fmt::format("solver.threads = {} is more than there are cores: the run has {}, one for each",
+                  scene.threads, counted(cores, "thread")));
+  scene.threads = cores;
+}
+
+}  // namespace
+
 Job make_job(Settings settings, Prepared cells) {
   mpm::Scene scene = build_scene(cells.specimen, settings);
+  hold_to_cores(scene, cells.notes);
   mpm::validate(scene);
   for (std::string& note : notes_on_parts(scene)) cells.notes.push_back(std::move(note));
   return {std::move(settings), std::move(cells.specimen), std::move(scene), std::move(cells.notes)};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "apps/text/complaint.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "libmpm/solver/plan.hpp"
 
@@ -17,6 +18,7 @@ constexpr std::int64_t many_steps = 500'000;   ///< steps that are said beforeha
 constexpr double certainly_short = 1e9;        ///< point-updates that no machine takes a minute for
 constexpr std::int64_t most_rows = 1'000'000;  ///< of the history of a trial
 constexpr double updates_of_a_row = 1e7;       ///< point-updates between two looks at the clock
+constexpr double unasked_time = 600;           ///< wall time that a picture may take unasked [s]
 constexpr double usual_speed = 1e8;            ///< point-updates per second, where none can be measured
 
 /// Wall time per step [s], from the first of them.
@@ -41,7 +43,7 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} days", seconds / 86400);
 }
 
-std::string announcement(const mpm::Scene& scene) try {
+RunLength length_of(const mpm::Scene& scene) try {
   if (scene.method == mpm::SolverMethod::quasi_static) return {};
   const mpm::Plan plan = mpm::plan(scene);
   const std::int64_t points = mpm::count_points(scene);
@@ -50,10 +52,23 @@ std::string announcement(const mpm::Scene& scene) try {
     return {};
   const double expected = static_cast<double>(plan.steps) * time_of_a_step(scene, plan, points);
   if (plan.steps < many_steps && expected < long_time) return {};
-  return fmt::format("a run of {} points and {} steps of {:.3g} s, which takes about {} here", points,
-                     plan.steps, plan.dt, duration_text(expected));
+  return {expected, fmt::format("a run of {} points and {} steps of {:.3g} s, which takes about {} here",
+                                points, plan.steps, plan.dt, duration_text(expected))};
 } catch (const mpm::Diverged&) {  // the run itself will say it
   return {};
+}
+
+std::string announcement(const mpm::Scene& scene) { return length_of(scene).text; }
+
+void refuse_unasked_length(const RunLength& length, int columns) {
+  if (!(length.seconds > unasked_time)) return;
+  // Points grow with the square of the columns, and steps with them.
+  const double enough = columns * std::cbrt(0.5 * unasked_time / length.seconds);
+  throw Rejected(
+      Exit::data, "convert.pixels", fmt::format("auto, {} columns", columns),
+      length.text + "; runs of a picture of more than " + duration_text(unasked_time) + " must be asked for",
+      fmt::format("give {0} {1:.0f} for about {2}, or {0} {3} for all of it", option_name("pixels"),
+                  std::max(1.0, std::floor(enough)), duration_text(0.5 * unasked_time), columns));
 }
 
 }  // namespace app

@@ -33,6 +33,26 @@ TEST_F(SimulateCommand, SaysWhereTheRunCanBeWatched) {
   EXPECT_TRUE(fs::exists("run/report.html"));
 }
 
+TEST_F(SimulateCommand, CallsTheLastStressOfARisingCurveNoPeak) {
+  ASSERT_EQ(run({"scene.toml", "--stop-strain", "2e-5", "-o", "run"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(),
+              HasSubstr("warning: no peak was reached: the stress was still rising at stop_strain, 20"));
+  EXPECT_THAT(err_.str(), HasSubstr("no peak, largest stress "));
+  EXPECT_THAT(err_.str(), Not(testing::ContainsRegex("(^|\n)peak ")));
+  EXPECT_EQ(json::parse(test::read_text("run/summary.json"))["peak_reached"], false);
+  EXPECT_THAT(test::read_text("run/report.html"), HasSubstr("Largest stress, no peak"));
+}
+
+TEST_F(SimulateCommand, TellsAllThatIsWrongWithASceneAtOnce) {
+  test::write_text("scene.toml",
+                   "[generate]\nwidth = \"20.3 mm\"\naspect_min = 0.01\n[loading]\nseparation = true\n"
+                   "[phases.mortar]\npoisson = 0.5\n");
+  EXPECT_EQ(run({"scene.toml", "-o", "run"}), Exit::data);
+  for (const char* field :
+       {"generate.width", "generate.aspect_min", "loading.separation", "phases.mortar.poisson"})
+    EXPECT_THAT(err_.str(), HasSubstr(field));
+}
+
 TEST_F(SimulateCommand, EstimatesTheErrorOfItsPeak) {
   ASSERT_EQ(run({"scene.toml", "--estimate-error", "-o", "run"}), Exit::ok) << err_.str();
   EXPECT_THAT(err_.str(), HasSubstr("the peak stress may be wrong by "));

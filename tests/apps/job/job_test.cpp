@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "apps/system/job_pool.hpp"
 #include "apps/text/complaint.hpp"
 
 namespace job_test {
@@ -51,6 +52,19 @@ TEST(BuildScene, GivesEachLabelItsMaterialByName) {
   EXPECT_EQ(scene.phases[2]->young, 20e9);
   EXPECT_FALSE(scene.phases[3]);  // no pixel of it
   EXPECT_EQ(scene.phases[4]->young, 200e9);
+}
+
+TEST(MakeJob, HasNoMoreThreadsThanThereAreCores) {
+  app::Settings settings;
+  settings.scene.points_per_cell = 2;
+  settings.scene.pixel_cells = false;
+  settings.scene.threads = 1024;
+  const app::Job held = app::make_job(settings, app::Prepared{specimen_of({"22", "22"}), {}, {}});
+  EXPECT_EQ(held.scene.threads, app::core_count());
+  ASSERT_EQ(held.notes.size(), 1U);
+  EXPECT_EQ(held.notes.front().find("solver.threads = 1024 is more than there are cores"), 0U);
+  settings.scene.threads = 1;
+  EXPECT_TRUE(app::make_job(settings, app::Prepared{specimen_of({"22", "22"}), {}, {}}).notes.empty());
 }
 
 TEST(BuildScene, TakesTheRunFromTheSettings) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "apps/text/complaint.hpp"
+
 namespace run_length_test {
 
 using testing::ContainsRegex;
@@ -37,6 +39,25 @@ TEST(RunLength, HasAUnitThatFits) {
   EXPECT_EQ(app::duration_text(720), "12 min");
   EXPECT_EQ(app::duration_text(12000), "3.3 h");
   EXPECT_EQ(app::duration_text(5 * 86400), "5 days");
+}
+
+TEST(RunLength, OfAPictureMustBeAskedForBeyondTenMinutes) {
+  EXPECT_NO_THROW(app::refuse_unasked_length({599, "a run"}, 2592));
+  try {
+    app::refuse_unasked_length({19199, "a run of many points"}, 2592);
+    FAIL() << "five hours that nobody has asked for";
+  } catch (const app::Rejected& rejected) {
+    EXPECT_EQ(rejected.code, app::Exit::data);
+    EXPECT_STREQ(rejected.what(),
+                 "convert.pixels: auto, 2592 columns; a run of many points; runs of a picture of more than "
+                 "10 min must be asked for; give --pixels 648 for about 5 min, or --pixels 2592 for all of "
+                 "it");
+  }
+}
+
+TEST(RunLength, IsMeasuredInTime) {
+  EXPECT_GT(app::length_of(block(1e-5)).seconds, 0);
+  EXPECT_EQ(app::length_of(block(0.05)).seconds, 0);
 }
 
 }  // namespace run_length_test
