@@ -45,8 +45,10 @@ class CurveReader : public TableReader {
   /// Columns of other names, "stress_top_Pa" among them, are nobody's mistake.
   void take_column(const CsvCell& cell, std::size_t index, const std::string& name, Dimension dimension,
                    std::optional<Column>& column) {
-    const auto [heading, unit] = name_and_unit(cell);
+    auto [heading, unit] = name_and_unit(cell);
+    if (!heading.empty() && heading.front() == 'S') heading.front() = 's';
     if (heading != name) return;
+    if (unit == "-" || unit == "1") unit.clear();
     const bool fits = unit.empty() ? dimension == Dimension::ratio : is_unit(unit, dimension);
     if (!fits && unit.find('_') != std::string::npos) return;
     if (!fits)

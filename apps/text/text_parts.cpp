@@ -88,8 +88,17 @@ std::optional<double> TableReader::number_in(const CsvCell& cell, const std::str
 }
 
 std::pair<std::string, std::string> TableReader::name_and_unit(const CsvCell& heading) {
-  const std::size_t bar = heading.text.find('_');
-  return {heading.text.substr(0, bar), bar == std::string::npos ? "" : heading.text.substr(bar + 1)};
+  const std::string& text = heading.text;
+  // "stress (MPa)", "stress [MPa]" and "stress / MPa", as people and testing machines write them
+  for (const char* pair : {"()", "[]", "/"}) {
+    const std::size_t open = text.find(pair[0]);
+    if (open == std::string::npos || open == 0 || text.find('_') < open) continue;
+    if (pair[1] != '\0' && text.back() != pair[1]) continue;
+    const std::size_t length = text.size() - open - (pair[1] == '\0' ? 1 : 2);
+    return {std::string(trimmed(text.substr(0, open))), std::string(trimmed(text.substr(open + 1, length)))};
+  }
+  const std::size_t bar = text.find('_');
+  return {text.substr(0, bar), bar == std::string::npos ? "" : text.substr(bar + 1)};
 }
 
 std::string quoted_cell(const std::string& text) {

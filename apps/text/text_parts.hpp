@@ -51,7 +51,7 @@ class TableReader {
   std::optional<double> number_in(const CsvCell& cell, const std::string& name, const std::string& unit,
                                   Dimension dimension);
 
-  /// "strain" and "%" of "strain_%".
+  /// "strain" and "%" of "strain_%", "strain (%)", "strain [%]" and "strain / %".
   [[nodiscard]] static std::pair<std::string, std::string> name_and_unit(const CsvCell& heading);
 
   std::string path_;

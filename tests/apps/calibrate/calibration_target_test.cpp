@@ -83,6 +83,19 @@ TEST(TargetCurve, ReadsUnitsFromTheHeader) {
   EXPECT_EQ(curve.last_strain(), 90e-6);
 }
 
+TEST(TargetCurve, ReadsHeadersAsPeopleWriteThem) {
+  for (const char* header : {"strain (microstrain),stress (MPa)", "Strain [microstrain], Stress [MPa]",
+                             "strain / microstrain,stress / MPa"}) {
+    const auto curve = app::parse_target_curve(std::string(header) + "\n0,0\n75,1.75\n90,0.5\n", "lab.csv");
+    EXPECT_EQ(curve.strain, (std::vector{0.0, 75e-6, 90e-6})) << header;
+    EXPECT_EQ(curve.stress, (std::vector{0.0, 1.75e6, 0.5e6})) << header;
+  }
+  EXPECT_EQ(app::parse_target_curve("strain (-),stress (kPa)\n0,0\n1e-4,2\n2e-4,1\n", "").stress[1], 2e3);
+  EXPECT_EQ(complaint_about("strain,stress (mm)\n"),
+            "lab.csv:1:8: stress (mm): needs the unit of a pressure; write a header such as "
+            "strain,stress_MPa");
+}
+
 TEST(TargetCurve, FindsItsColumnsAmongThoseOfARun) {
   const auto curve = app::parse_target_curve(
       "time_s,strain,stress_Pa,stress_top_Pa\n0,0,0,7\n1,1e-4,5,7\n2,2e-4,3,7\n", "curve.csv");
