@@ -67,7 +67,7 @@ void refuse_unasked_length(const RunLength& length, int columns) {
   throw Rejected(
       Exit::data, "convert.pixels", fmt::format("auto, {} columns", columns),
       length.text + "; runs of a picture of more than " + duration_text(unasked_time) + " must be asked for",
-      fmt::format("give {0} {1:.0f} for about {2}, or {0} {3} for all of it", option_name("pixels"),
+      fmt::format("give {0} {1:.0f} for about {2}, or {0} {3} for all of it", option_name("convert.pixels"),
                   std::max(1.0, std::floor(enough)), duration_text(0.5 * unasked_time), columns));
 }
 

@@ -50,8 +50,8 @@ TEST(RunLength, OfAPictureMustBeAskedForBeyondTenMinutes) {
     EXPECT_EQ(rejected.code, app::Exit::data);
     EXPECT_STREQ(rejected.what(),
                  "convert.pixels: auto, 2592 columns; a run of many points; runs of a picture of more than "
-                 "10 min must be asked for; give --pixels 648 for about 5 min, or --pixels 2592 for all of "
-                 "it");
+                 "10 min must be asked for; give --convert.pixels 648 for about 5 min, or --convert.pixels "
+                 "2592 for all of it");
   }
 }
 
