@@ -101,6 +101,8 @@ class Run {
   template <class Solver>
   void complete(Result& result, const Solver& solver) const {
     result.wall_time = wall_time();
+    result.missing_threads = solver.missing_threads();
+    result.threads = plan_.threads - result.missing_threads;
     solver.copy_maps(result);
     close_ledger(result);
   }

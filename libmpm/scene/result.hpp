@@ -84,6 +84,7 @@ struct Result {
   double energy_error = 0;      ///< largest imbalance of the energy ledger over the largest platen work [-]
   std::string instruction_set;  ///< used by the kernels, e.g. "avx512"
   std::int64_t threads = 1;     ///< threads used
+  std::int64_t missing_threads = 0;  ///< that the system refused; not kept in files
   StopReason stop = StopReason::strain;
   bool nothing_carries = false;  ///< every point has lost all stiffness, which ended the run
 

@@ -1,6 +1,7 @@
 #include "libmpm/solver/threads.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -10,15 +11,28 @@
 namespace mpm {
 
 Team::Team(int threads) : barrier_(threads) {
-  for (int part = 1; part < threads; ++part) others_.emplace_back([this, part] { serve(part); });
+  others_.reserve(static_cast<std::size_t>(std::max(threads, 1)));
+  try {
+    for (int part = 1; part < threads; ++part) others_.emplace_back([this, part] { serve(part); });
+  } catch (
+      const std::exception&) {  // EAGAIN, or no memory for a stack: those that there are can do all of it
+    missing_ = threads - this->threads();
+  }
+  barrier_.set_threads(this->threads());
+  is_complete_.store(1, std::memory_order_release);
+  is_complete_.notify_all();
 }
 
-Team::~Team() {
+Team::~Team() { dismiss(); }
+
+void Team::dismiss() {
   parts_ = 0;
   if (!others_.empty()) barrier_.arrive_and_wait();
+  others_.clear();
 }
 
 void Team::serve(int part) {
+  is_complete_.wait(0, std::memory_order_acquire);
   const FlushToZero flush;
   for (;;) {
     barrier_.arrive_and_wait();

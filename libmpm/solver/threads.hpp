@@ -21,6 +21,12 @@ class Barrier {
  public:
   explicit Barrier(int threads) : threads_(threads), missing_(threads) {}
 
+  /// From now on for another number of threads.   @pre nobody waits.
+  void set_threads(int threads) {
+    threads_ = threads;
+    missing_.store(threads, std::memory_order_relaxed);
+  }
+
   /// Returns when all threads have arrived.
   void arrive_and_wait() {
     const std::uint32_t round = round_.load(std::memory_order_relaxed);
@@ -52,12 +58,14 @@ class Barrier {
 #endif
   }
 
-  const int threads_;
+  int threads_;
   alignas(64) std::atomic<int> missing_;
   alignas(64) std::atomic<std::uint32_t> round_{0};
 };
 
-/// Threads that wait for work and share it.
+/// Threads that wait for work and share it. All are made before any of them waits for another; where the
+/// system gives fewer than were asked for, the team is as large as it can be, and never smaller than the
+/// thread that asks.
 class Team {
  public:
   explicit Team(int threads);
@@ -66,6 +74,10 @@ class Team {
   ~Team();
 
   [[nodiscard]] int threads() const { return static_cast<int>(others_.size()) + 1; }
+  /// Threads that the system refused.
+  [[nodiscard]] int missing() const { return missing_; }
+  /// Ends all threads but the one that calls, so that another team can have them.
+  void dismiss();
 
   /// Calls work(part) for every part in [0, parts), each on a thread of its own, and returns when all are
   /// done.   @pre parts <= threads(); work does not throw.
@@ -84,6 +96,8 @@ class Team {
   void serve(int part);
 
   Barrier barrier_;
+  std::atomic<std::uint32_t> is_complete_{0};  ///< 1 = its size is known
+  int missing_ = 0;
   int parts_ = 0;  ///< 0 = no more work comes
   const void* work_ = nullptr;
   void (*call_)(const void*, int) = nullptr;

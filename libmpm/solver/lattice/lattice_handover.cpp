@@ -194,6 +194,7 @@ MovingStart LatticeSolver<Real>::hand_over() {
   start.tally = {ledger.platen_work, ledger.released, ledger.damped, ledger.tension_failures,
                  ledger.shear_failures};
   start.maps = std::move(maps_);
+  team_.dismiss();
   return start;
 }
 

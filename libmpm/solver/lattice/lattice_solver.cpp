@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "libmpm/kernels/instruction_set.hpp"
 
@@ -18,6 +17,7 @@ LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
       points_(make_points<Real>(scene, plan, factors_)),
       extra_(make_extra_points(scene, plan)),
       all_points_(count_points(scene)),
+      team_(most_bands(plan)),
       maps_(empty_maps(scene, plan)) {
   const kernels::Kernels& kernels = chosen_kernels(scene.instruction_set);
   kernels::Features features = plan.features;
@@ -42,8 +42,13 @@ LatticeSolver<Real>::LatticeSolver(const Scene& scene, const Plan& plan)
 }
 
 template <class Real>
+int LatticeSolver<Real>::most_bands(const Plan& plan) {
+  return std::clamp(plan.threads, 1, plan.cells_y);
+}
+
+template <class Real>
 void LatticeSolver<Real>::make_bands() {
-  const int count = std::clamp(plan_.threads, 1, plan_.cells_y);
+  const int count = team_.threads();
   bands_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     Band& band = bands_[static_cast<std::size_t>(i)];
@@ -67,12 +72,10 @@ Ledger LatticeSolver<Real>::advance(std::int64_t steps) {
   steps = std::min(steps, plan_.steps + 1 - clock_.step);
   Barrier barrier(static_cast<int>(bands_.size()));
   const Clock start = clock_;
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < bands_.size(); ++i)
-      others.emplace_back([this, i, start, steps, &barrier] { (void)run_band(i, start, steps, barrier); });
-    clock_ = run_band(0, start, steps, barrier);
-  }
+  team_.share(team_.threads(), [&](int band) {
+    const Clock end = run_band(static_cast<std::size_t>(band), start, steps, barrier);
+    if (band == 0) clock_ = end;
+  });
   return balance();
 }
 

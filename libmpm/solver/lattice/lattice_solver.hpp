@@ -65,7 +65,8 @@ class LatticeSolver {
   /// recorded as a fault of the archive; the solver must not be used then.
   void restore(ArchiveReader& archive);
 
-  [[nodiscard]] double dt() const { return plan_.dt; }  ///< [s]
+  [[nodiscard]] double dt() const { return plan_.dt; }                   ///< [s]
+  [[nodiscard]] int missing_threads() const { return team_.missing(); }  ///< that the system refused
   /// Name of the point where a value became not-a-number, otherwise of the one with the most elastic energy.
   [[nodiscard]] std::string worst_point() const;
 
@@ -107,6 +108,7 @@ class LatticeSolver {
     Stress<double> now, before;
   };
 
+  [[nodiscard]] static int most_bands(const Plan& plan);
   void make_bands();
   void find_pinned_node();
   Clock run_band(std::size_t index, Clock clock, std::int64_t steps, Barrier& barrier);
@@ -171,6 +173,7 @@ class LatticeSolver {
   kernels::SweepNodes<Real> sweep_nodes_;
   kernels::SweepNodes<Real> sweep_nodes_ledger_;
   ForceBuffer<Real> no_force_;
+  Team team_;
   std::vector<Band> bands_;
   std::vector<kernels::NodeSums> row_sums_;
   std::vector<double> row_released_, row_damped_;  ///< [J/m]

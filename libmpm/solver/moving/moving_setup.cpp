@@ -52,7 +52,8 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
       law_(damage_law(scene, plan.moving.crack_band, true)),
       factors_(scene, plan.softens),
       grid_(make_moving_grid<Real>(geometry_)),
-      bands_(make_bands(scene, plan.threads, geometry_)),
+      team_(most_bands(plan.threads, geometry_)),
+      bands_(make_bands(scene, team_.threads())),
       points_(geometry_.tiles_y, geometry_.tiles_x, sweeps_.lanes, record_layout(plan.moving.optional)),
       contact_(grid_.mass.size(), std::uint8_t{0}),
       row_impulses_(static_cast<std::size_t>(geometry_.nodes_y)),
@@ -87,12 +88,16 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   for (Band& band : bands_) band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
 }
 
-/// Bands without rows yet, no more than can have enough of them.
+/// That can have enough rows.
 template <class Real>
-std::vector<typename MovingSolver<Real>::Band> MovingSolver<Real>::make_bands(
-    const Scene& scene, int threads, const MovingGeometry& geometry) {
-  const int most = std::max(1, geometry.tiles_y / least_rows(geometry));
-  std::vector<Band> bands(static_cast<std::size_t>(std::clamp(threads, 1, most)));
+int MovingSolver<Real>::most_bands(int threads, const MovingGeometry& geometry) {
+  return std::clamp(threads, 1, std::max(1, geometry.tiles_y / least_rows(geometry)));
+}
+
+/// Without rows yet.
+template <class Real>
+std::vector<typename MovingSolver<Real>::Band> MovingSolver<Real>::make_bands(const Scene& scene, int count) {
+  std::vector<Band> bands(static_cast<std::size_t>(count));
   for (Band& band : bands) band.failed.assign(scene.phases.size(), 0);
   return bands;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include "libmpm/kernels/instruction_set.hpp"
@@ -21,12 +20,7 @@ Ledger MovingSolver<Real>::advance(std::int64_t steps) {
   clock_.stopped = false;
   share_rows();
   Barrier barrier(static_cast<int>(bands_.size()));
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < bands_.size(); ++i)
-      others.emplace_back([this, i, steps, &barrier] { run_band(i, steps, barrier); });
-    run_band(0, steps, barrier);
-  }
+  team_.share(team_.threads(), [&](int band) { run_band(static_cast<std::size_t>(band), steps, barrier); });
   return balance();
 }
 

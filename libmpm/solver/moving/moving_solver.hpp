@@ -41,8 +41,9 @@ class MovingSolver {
   [[nodiscard]] Ledger advance(std::int64_t steps);
 
   [[nodiscard]] std::int64_t steps() const { return clock_.step; }
-  [[nodiscard]] double time() const { return clock_.time; }  ///< [s]
-  [[nodiscard]] double dt() const { return clock_.dt; }      ///< of the last step [s]
+  [[nodiscard]] double time() const { return clock_.time; }              ///< [s]
+  [[nodiscard]] double dt() const { return clock_.dt; }                  ///< of the last step [s]
+  [[nodiscard]] int missing_threads() const { return team_.missing(); }  ///< that the system refused
   [[nodiscard]] bool is_done() const;
 
   /// Frame after the last step, without its row of the history.
@@ -97,8 +98,8 @@ class MovingSolver {
     bool stopped = false;     ///< the run has ended
   };
 
-  [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, int threads,
-                                                    const MovingGeometry& geometry);
+  [[nodiscard]] static int most_bands(int threads, const MovingGeometry& geometry);
+  [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, int count);
   void share_rows();
   [[nodiscard]] std::vector<std::int64_t> work_of_rows() const;
   void load_points(const std::vector<StartPoint>& points);
@@ -168,6 +169,7 @@ class MovingSolver {
   DamageLaw law_;
   StrengthFactors factors_;
   MovingGrid<Real> grid_;
+  Team team_;
   std::vector<Band> bands_;
   TileSums<Real> momentum_, force_, new_momentum_;
   MovingPoints<Real> points_;

@@ -52,6 +52,9 @@ class Equilibrium final : private LatticeCells {
 
   /// Stress of the platens over their strain [Pa]: mean of both.
   [[nodiscard]] double modulus() const { return 0.5 * (modulus_top_ + modulus_bottom_); }
+  [[nodiscard]] int missing_threads() const {
+    return multigrid_->missing_threads();
+  }  ///< that the system refused
   [[nodiscard]] double modulus_top() const { return modulus_top_; }
   [[nodiscard]] double modulus_bottom() const { return modulus_bottom_; }
   [[nodiscard]] std::int64_t iterations() const { return gradients_->iterations(); }  ///< so far

@@ -199,6 +199,10 @@ class Multigrid {
   /// One of both is there.
   [[nodiscard]] MultigridOf<float>* single() const { return single_.get(); }
   [[nodiscard]] MultigridOf<double>* whole() const { return whole_.get(); }
+  /// Threads that the system refused.
+  [[nodiscard]] int missing_threads() const {
+    return single_ ? single_->team().missing() : whole_->team().missing();
+  }
 
  private:
   const equilibrium::Kernels& kernels_;

@@ -37,6 +37,9 @@ class QuasiStaticSolver {
   [[nodiscard]] std::int64_t iterations() const { return equilibrium_.iterations(); }  ///< so far
   [[nodiscard]] bool is_done() const { return done_; }
   [[nodiscard]] double dt() const { return 0; }  ///< there is no time
+  [[nodiscard]] int missing_threads() const {
+    return equilibrium_.missing_threads();
+  }  ///< that the system refused
 
   /// State of the last ledger.
   void fill(Frame& frame) const;
