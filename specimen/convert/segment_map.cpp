@@ -7,6 +7,7 @@
 #include "specimen/body/error.hpp"
 #include "specimen/body/measure.hpp"
 #include "specimen/convert/convert_options.hpp"
+#include "specimen/convert/fringes.hpp"
 #include "specimen/convert/instances.hpp"
 #include "specimen/convert/levels.hpp"
 #include "specimen/convert/outside.hpp"
@@ -268,20 +269,27 @@ bool has_fringes(const ValueMap& map) {
   return false;
 }
 
+void note_settled(std::int64_t settled, const ValueMap& map, ConvertReport& report) {
+  if (settled > 0)
+    add_note(report, "gave " + counted(settled, "pixel") + " (" +
+                         share_text(static_cast<double>(settled), static_cast<double>(map.code.size())) +
+                         ") between two of " + counted(map.count(), "tone") + " to the nearer one");
+}
+
 }  // namespace
 
 std::optional<ValueMap> map_of(const Picture& picture, int most, ConvertReport& report) {
   refuse_lossy_labels(picture);
   std::optional<ValueMap> map = distinct_values(picture, most);
-  if (map && !picture.lossy && (looks_like_grains(*map) || !has_fringes(*map))) return map;
+  if (map && !picture.lossy && looks_like_grains(*map)) return map;
+  if (map && !picture.lossy && !has_fringes(*map)) {
+    if (picture.indices.empty()) note_settled(dissolve_fringes(*map), *map, report);
+    return map;
+  }
   std::optional<TonedMap> toned = sort_into_tones(picture);
   if (!toned && picture.lossy) return std::nullopt;  // exact values mean nothing in a JPEG
   if (!toned || (map && !picture.lossy && toned->settled == 0)) return map;
-  if (toned->settled > 0)
-    add_note(report, "gave " + counted(toned->settled, "pixel") + " (" +
-                         share_text(static_cast<double>(toned->settled),
-                                    static_cast<double>(toned->map.code.size())) +
-                         ") between two of " + counted(toned->map.count(), "tone") + " to the nearer one");
+  note_settled(toned->settled, toned->map, report);
   return std::move(toned->map);
 }
 
