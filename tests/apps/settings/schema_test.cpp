@@ -34,6 +34,7 @@ std::vector<Value> trial_values() {
           text("otsu"),
           text("red"),
           text("points"),
+          text("void"),
           text("clipped"),
           text("rough"),
           text("stress"),
