@@ -82,8 +82,9 @@ class ConvertCommand : public SettingsCommand {
     try {
       return prepare_specimen(settings);
     } catch (const specimen::TwoReadings& two) {
-      std::string ways = "choose one of these:";
-      for (const std::string& phases : two.label_phases) ways += "\n  " + command_with(phases);
+      std::string ways;
+      for (const std::string& phases : two.label_phases)
+        ways += (ways.empty() ? "either: " : ", or: ") + command_with(phases);
       throw Rejected(Exit::data, two.field, two.value, two.allowed, ways);
     }
   }
