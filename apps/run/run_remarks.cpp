@@ -54,28 +54,31 @@ std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
 
 namespace {
 
-constexpr double noticeable = 0.05;  ///< share of a peak that inertia or damping may carry without a word [-]
+constexpr double noticeable = 0.05;  ///< share of motion, or above the peak, that passes without a word [-]
+/// Share of the work that may go into damping: what points set free as they fail goes there too.
+constexpr double usually_damped = 0.4;
 
 void add_phrase(std::string& text, const std::string& phrase) { text += (text.empty() ? "" : ", ") + phrase; }
 
-std::string share_phrase(double share, const char* what) {
-  return share > noticeable ? fmt::format("{:.0f} % {}", 100 * share, what) : std::string();
+std::string share_phrase(double share, double limit, const char* what) {
+  return share > limit ? fmt::format("{:.0f} % {}", 100 * share, what) : std::string();
 }
 
 std::string inertia_phrase(const output::InertiaShares& shares) {
   std::string text;
   for (const std::string& phrase :
-       {share_phrase(shares.imbalance, "of the reactions of the platens do not balance"),
-        share_phrase(shares.kinetic, "of the work of the platens is motion"),
-        share_phrase(shares.damped, "of it went into local damping")})
+       {share_phrase(shares.imbalance, mpm::balanced, "of the reactions of the platens do not balance"),
+        share_phrase(shares.kinetic, noticeable, "of the work of the platens is motion"),
+        share_phrase(shares.damped, usually_damped, "of it went into local damping")})
     if (!phrase.empty()) add_phrase(text, phrase);
   return text;
 }
 
 /// What brings a run nearer to equilibrium.
 std::string calmer(const output::InertiaShares& shares) {
-  const char* less = shares.damped > noticeable ? "choose a smaller loading.velocity or solver.local_damping"
-                                                : "choose a smaller loading.velocity";
+  const char* less = shares.damped > usually_damped
+                         ? "choose a smaller loading.velocity or solver.local_damping"
+                         : "choose a smaller loading.velocity";
   return std::string(less) + ", or solver.method = \"quasi_static\", which has neither";
 }
 
