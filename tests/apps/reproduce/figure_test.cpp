@@ -41,7 +41,7 @@ std::vector<std::string> names(const std::vector<const Figure*>& figures) {
 TEST(FigureTable, NoIdMeansAll) {
   EXPECT_THAT(names(select_figures({})),
               ElementsAre("Figures 1 and 2", "Figure 3", "Figure 5", "Figures 6 and 7", "Figures 8 to 11",
-                          "Figure 12", "Figure 13", "Figure 14", "Objectivity"));
+                          "Figure 12", "Figure 13", "Figure 14", "Objectivity", "Inertia"));
 }
 
 TEST(FigureTable, SelectsEachFigureOnceInTheOrderOfThePaper) {
