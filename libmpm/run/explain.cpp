@@ -171,6 +171,7 @@ class Catalogue {
     }
     Scene moving = scene_;
     moving.kinematics = Kinematics::moving;
+    moving.pixel_cells = false;  // one point a cell instead
     add("moving points", false,
         kinematics == Kinematics::automatic
             ? "small strain at first: stress follows from the nodes, points keep their place"
