@@ -17,8 +17,9 @@ const std::vector<ProblemResult>& results() {
       return [=] { return Measured{error, time, 4096, trouble}; };
     };
     Problem bar{"bar", "A bar < a beam", "distance from the solution", "v = v0", "It lags.", {}, {}};
-    bar.methods = {{"GIMP", "cell", "", {0.25, 0.125, 0.0625}, {gives(0.02, 0.5), gives(0.005, 2), gives(0.00125, 8)}},
-                   {"linear", "cell", "", {0.25, 0.125}, {gives(0.04, 0.6), gives(0, 1, "it left")}}};
+    bar.methods = {
+        {"GIMP", "cell", "", {0.25, 0.125, 0.0625}, {gives(0.02, 0.5), gives(0.005, 2), gives(0.00125, 8)}},
+        {"linear", "cell", "", {0.25, 0.125}, {gives(0.04, 0.6), gives(0, 1, "it left")}}};
     Problem pull{"pull", "A test", "error of the peak", "a slow run", "Slow is right.", gives(2, 9), {}};
     pull.methods = {{"lattice", "velocity", "m/s", {0.1}, {gives(2.4, 1)}}};
     return study_errors({bar, pull}, {});
