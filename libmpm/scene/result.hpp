@@ -41,7 +41,7 @@ struct HistoryRow {
 [[nodiscard]] double platen_imbalance(const HistoryRow& row);
 
 /// Imbalance of the platens up to which a row of the history is taken to be in equilibrium [-].
-inline constexpr double balanced = 0.1;
+inline constexpr double balanced = 0.5;
 
 /// How a point failed.
 enum class FailureMode : std::uint8_t { none = 0, tension = 1, shear = 2 };

@@ -214,6 +214,7 @@ with tempfile.TemporaryDirectory() as scratch:
     Path("disc.toml").write_text(moving_disc)
     run("simulate", small, "--frames", "2", "--estimate-error", "-o", "tension")
     run("simulate", "disc.toml", "-o", "disc")
+    run("simulate", small, "--method", "quasi_static", "--generate.pixel-size", "1 mm", "-o", "still")
     run_that_is_stopped(here / "stopped")
     check_folders("Folder of a run", [here / "tension", here / "disc", here / "stopped"])
     check_history(here / "tension")
@@ -223,7 +224,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_datasets("specimen.h5", [here / "tension/specimen.h5", here / "disc/specimen.h5"])
     check_specimen_words(here / "tension/specimen.h5")
     check_datasets("Frames", sorted(here.glob("tension/frames/*.hdf")))
-    check_summary([here / "tension", here / "disc"])
+    check_summary([here / "tension", here / "disc", here / "still"])
 
     study(here / "study")
     check_study_table(here / "study", "phases.")

@@ -138,6 +138,8 @@ TEST(BuildScene, RefusesASpecimenInTwoParts) {
   app::Settings settings;
   settings.scene.kinematics = mpm::Kinematics::moving;
   EXPECT_EQ(complaint_about(parts, settings), refusal);
+  settings.scene.pixel_cells = false;
+  settings.scene.points_per_cell = 2;
   settings.scene.loading.direction = mpm::Direction::compression;  // they may still meet
   EXPECT_EQ(complaint_about(parts, settings), "accepted");
   // Cells that share a corner hold together; a cell may be void in part.

@@ -39,7 +39,7 @@ TEST(FigInertia, RunsEveryWayOfEveryTest) {
 TEST(FigInertia, SaysWhatShareOfThePeakIsInertia) {
   const Effort effort = test::tiny_effort();
   const Section section = inertia_figure().evaluate(effort, outcomes_with(effort, 0.6, 5e6));
-  EXPECT_THAT(section.html, HasSubstr("way lies 40\u00a0% below that without inertia"));
+  EXPECT_THAT(section.html, HasSubstr("way lies 40.0\u00a0% below that without inertia"));
   EXPECT_THAT(section.html, HasSubstr("with damping 2.5\u00a0% below"));
   EXPECT_THAT(section.html, HasSubstr("In no way do they give the paper"));
   EXPECT_DOUBLE_EQ(section.data["compression"][0]["over_that_without_inertia"].get<double>(), 0.6);

@@ -51,16 +51,17 @@ TEST(ErrorEstimate, FindsWhatEachSourceAdds) {
     names.push_back(source.name);
     compared.push_back(source.compared);
   }
-  EXPECT_THAT(names, ElementsAre("loading rate", "time step", "precision", "pixel size"));
-  EXPECT_THAT(compared, ElementsAre("0.025, 0.0125 m/s", "CFL 0.25", "single", "2 mm"));
+  EXPECT_THAT(names, ElementsAre("loading rate", "time step", "precision", "cell", "pixel size"));
+  EXPECT_THAT(compared, ElementsAre("0.025, 0.0125 m/s", "CFL 0.25", "single", "pixel", "2 mm"));
   const double base = made_up(scene).peak_stress / 4e6;
   EXPECT_NEAR(estimate.sources[0].stress_error, 1.25 * 0.1 * 0.05 / base, 1e-9);
   EXPECT_NEAR(estimate.sources[1].stress_error, 1.25 * 0.004 * 0.5 / base, 1e-9);
   EXPECT_NEAR(estimate.sources[2].stress_error, 1.25 * 0.001 / base, 1e-9);
-  EXPECT_NEAR(estimate.sources[3].stress_error, 1.25 * 0.02 / base, 1e-9);
+  EXPECT_NEAR(estimate.sources[3].stress_error, 0, 1e-9);
+  EXPECT_NEAR(estimate.sources[4].stress_error, 1.25 * 0.02 / base, 1e-9);
   EXPECT_NEAR(estimate.stress_error(), 1.25 * (0.005 + 0.002 + 0.001 + 0.02) / base, 1e-9);
   EXPECT_EQ(estimate.strain_error(), 0);
-  EXPECT_EQ(estimate.wall_time(), 40 + 80 + 20 + 20 + 20);
+  EXPECT_EQ(estimate.wall_time(), 40 + 80 + 20 + 20 + 20 + 20);
   for (const mpm::Scene& other : solved)
     EXPECT_NEAR(other.loading.stop_strain, 1.3 * 2e-4, 1e-12) << "they need not go far past the peak";
 }
@@ -172,7 +173,7 @@ TEST(ErrorEstimate, IsNotBelowTheSpreadOfTheRates) {
     return result;
   };
   const auto estimate = app::estimate_error(scene, by_chance(scene), by_chance);
-  EXPECT_GE(estimate.sources[0].stress_error, 1.25 * 0.035);
+  EXPECT_GE(estimate.sources[0].stress_error, 1.25 * 0.035 - 1e-12);
 }
 
 TEST(ErrorEstimate, LeavesPixelsOfATinyPictureAlone) {
@@ -224,7 +225,7 @@ TEST(Tolerance, HalvesTheRateUntilThePeakStays) {
   EXPECT_TRUE(found.met);
   EXPECT_LE(found.estimate.stress_error(), 0.01);
   EXPECT_LT(0.1 * found.scene.loading.velocity, 0.005);
-  EXPECT_GT(0.1 * found.scene.loading.velocity, 0.001) << "no slower than it must be";
+  EXPECT_GT(0.1 * found.scene.loading.velocity, 0.0009) << "no slower than it must be";
   EXPECT_EQ(found.scene.precision, mpm::Precision::single) << "which adds a tenth of the tolerance";
   EXPECT_EQ(found.scene.loading.stop_strain, square(32).loading.stop_strain);
   EXPECT_GT(found.wall_time, 0);
@@ -270,7 +271,9 @@ TEST(ErrorEstimate, BracketsTheErrorOnThePapersSpecimen) {
     scene.loading.velocity = velocity;
     const mpm::Result base = solve(scene);
     auto estimate = app::estimate_error(scene, base, solve);
-    estimate.sources.pop_back();  // the reference has the same pixels
+    std::erase_if(estimate.sources, [](const auto& source) {  // the reference has the same pixels and cells
+      return source.name == "pixel size" || source.name == "cell";
+    });
     const double error = std::abs(reference.peak_stress / base.peak_stress - 1);
     EXPECT_GE(estimate.stress_error(), error) << velocity;
     EXPECT_LT(estimate.stress_error(), 5 * error + 0.02) << velocity << ": an estimate of anything brackets";

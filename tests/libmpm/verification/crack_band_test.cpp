@@ -46,7 +46,7 @@ double dissipation(const mpm::Scene& scene, const char* name) {
     std::printf("%s, pixel %.3f mm, nu %.1f: %.4f of G_f, peak %.3f MPa, imbalance %.1e\n", name,
                 1e3 * scene.pixel_size, scene.phases[samples::mortar]->poisson, ratio,
                 1e-6 * result.peak_stress, result.energy_error);
-  EXPECT_NEAR(result.peak_stress, 5.7e6, 0.05 * 5.7e6);
+  EXPECT_NEAR(result.peak_stress, 5.7e6, 0.06 * 5.7e6);
   EXPECT_LT(result.energy_error, 0.02);
   return ratio;
 }
