@@ -55,7 +55,8 @@ std::string energy_note(const mpm::Result& result, const mpm::Scene& scene) {
 namespace {
 
 constexpr double noticeable = 0.05;  ///< share of motion, or above the peak, that passes without a word [-]
-constexpr double uneven = 0.25;  ///< imbalance of the platens that passes: waves of failures ring at any rate
+constexpr double uneven =
+    1.0 / 3;  ///< imbalance of the platens that passes: waves of failures ring at any rate
 /// Share of the work that may go into damping: what points set free as they fail goes there too.
 constexpr double usually_damped = 0.4;
 
