@@ -61,7 +61,8 @@ TEST(PlatenImbalance, IsTheShareThatDoesNotPassThrough) {
   EXPECT_EQ(mpm::platen_imbalance(row_of(0, 3, -3)), 1);
 }
 
-// The first wave presses one platen alone; a row in balance or half so counts by the mean of both, as it always did.
+// The first wave presses one platen alone; a row in balance or half so counts by the mean of both, as it
+// always did.
 TEST(AddRow, TakesNoWaveForThePeak) {
   mpm::Result result;
   for (const auto& row : {row_of(0, 0, 0), row_of(1e-6, 90, 0), row_of(1e-4, 10.5, 9.5), row_of(2e-4, 30, 2)})
