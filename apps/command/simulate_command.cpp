@@ -75,10 +75,12 @@ class SimulateCommand : public SettingsCommand {
     flag("--estimate-error", estimate_error_,
          "say how wrong the peak may be, from runs without inertia and with another step, precision and "
          "pixel size");
-    option("--tolerance", tolerance_,
-           "choose the rate, the step and the precision that keep the error of the peak stress below this, "
-           "e.g. \"1 %\"",
-           text_form("RATIO"));
+    option(
+        "--tolerance", tolerance_,
+        "choose the rate, the step and the precision, or the method without inertia, that keep the error of "
+        "the peak stress below this, "
+        "e.g. \"1 %\"",
+        text_form("RATIO"));
     option("--checkpoint-every", checkpoint_every_,
            "wall time after which a run is kept to go on from, e.g. \"60 s\"; no part of the scene",
            QuantityCodec{Dimension::time}.form());

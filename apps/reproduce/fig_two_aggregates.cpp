@@ -181,7 +181,7 @@ std::vector<std::string> row_of(const Sample& sample) {
       megapascals(spread_of(sample.stresses)),
       output::percent(share_within(finite_of(sample.stresses), band.least_stress, band.largest_stress), 0),
       microstrain(spread_of(sample.strains)),
-      output::percent(share_within(sample.strains, band.least_strain, band.largest_strain), 0),
+      output::percent(share_within(finite_of(sample.strains), band.least_strain, band.largest_strain), 0),
       std::to_string(crack.tops),
       std::to_string(crack.bottoms),
       std::to_string(crack.other)};

@@ -13,14 +13,15 @@ namespace app {
 using Solve = std::function<mpm::Result(const mpm::Scene&)>;
 
 /// Error of the peak of `base`, the result of a scene with platens, from runs that end soon after the peak:
-/// without inertia, with half the step, in the other precision, and with pixels twice as large. The error of
-/// the rate is the difference from equilibrium. Where there is none (points move, cracks close, extra points)
-/// it comes from runs at a half and a quarter of the rate: the distance to the line through the three rates
-/// at rest, and the standard error of that line there, or by how much they differ if that is more; and where
-/// points can fail, a known bias of explicit runs comes to that, which no rate shows. The step is taken to be
-/// of first order, so that the error is twice what halving it changes; pixels too, so that it is what
-/// doubling them changes; of precision it is the difference. All have a margin of a quarter. Source: Roache,
-/// Verification and Validation in Computational Science and Engineering (1998): the grid convergence index.
+/// without inertia, with half the step, in the other precision, with pixel cells, and with pixels twice as
+/// large. The error of the rate is the difference from equilibrium. Where there is none (points move, cracks
+/// close, extra points) it comes from runs at a half and a quarter of the rate: the distance to the line
+/// through the three rates at rest, and the standard error of that line there, or by how much they differ if
+/// that is more; and where points can fail, a known bias of explicit runs comes to that, which no rate shows.
+/// The step is taken to be of first order, so that the error is twice what halving it changes; pixels too, so
+/// that it is what doubling them changes; of precision and cell it is the difference. All have a margin of a
+/// quarter. Source: Roache, Verification and Validation in Computational Science and Engineering (1998): the
+/// grid convergence index.
 [[nodiscard]] output::ErrorEstimate estimate_error(const mpm::Scene& scene, const mpm::Result& base,
                                                    const Solve& solve);
 

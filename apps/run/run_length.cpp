@@ -23,8 +23,9 @@ constexpr double usual_speed = 1e8;            ///< point-updates per second, wh
 
 /// Wall time per step [s], from the first of them.
 double time_of_a_step(const mpm::Scene& scene, const mpm::Plan& plan, std::int64_t points) {
-  const double rows = std::min(static_cast<double>(plan.steps),
-                               std::ceil(static_cast<double>(plan.steps * points) / updates_of_a_row));
+  const double rows =
+      std::min(static_cast<double>(plan.steps),
+               std::ceil(static_cast<double>(plan.steps) * static_cast<double>(points) / updates_of_a_row));
   if (rows > static_cast<double>(100 * most_rows)) return static_cast<double>(points) / usual_speed;
   mpm::Scene start = scene;
   start.frames = 0;

@@ -81,7 +81,7 @@ std::string calmer(const output::InertiaShares& shares) {
   const char* less = shares.damped > usually_damped
                          ? "choose a smaller loading.velocity or solver.local_damping"
                          : "choose a smaller loading.velocity";
-  return std::string(less) + ", or solver.method = \"quasi_static\", which has neither";
+  return std::string(less) + ", or solver.method = \"quasi_static\", which has neither rate nor damping";
 }
 
 std::string megapascals_text(double stress) { return fmt::format("{:.4g} MPa", 1e-6 * stress); }
@@ -94,9 +94,7 @@ std::string wave_phrase(const mpm::Result& result) {
   if (!(largest->stress > (1 + noticeable) * result.peak_stress)) return {};
   return fmt::format(
       "the mean reaction of the platens reaches {}, at strain {} and {:.0f} % out of balance, which is a "
-      "wave and "
-      "no "
-      "peak",
+      "wave and no peak",
       megapascals_text(largest->stress), strain_text(largest->strain), 100 * mpm::platen_imbalance(*largest));
 }
 

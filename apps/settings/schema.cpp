@@ -146,7 +146,7 @@ bool decides_use(std::string_view key) {
 std::string why_unused_by_method(std::string_view key, const mpm::Scene& scene) {
   const bool still = scene.method == mpm::SolverMethod::quasi_static;
   if (still && is_one_of(key, {"loading.velocity", "loading.ramp_time", "solver.cfl", "solver.local_damping",
-                               "solver.precision", "solver.threads", "output.history_rows"}))
+                               "solver.precision", "output.history_rows"}))
     return "has no effect with solver.method = \"quasi_static\"";
   if (!still && is_one_of(key, {"solver.event_tolerance", "loading.path"}))
     return "has an effect with solver.method = \"quasi_static\" only";

@@ -40,7 +40,6 @@ class Specimen final : public LatticeCells {
                                                    : EdgeNodes::held;
   }
   [[nodiscard]] HeldNodes held(int row, int col) const override;
-  void clear_held(NodeField& field) const override;
 
   /// Adds u = strain x.
   void add_uniform(const Uniform& strain, NodeField& u) const;
@@ -48,7 +47,7 @@ class Specimen final : public LatticeCells {
   [[nodiscard]] NodeField tractions(const Uniform& stress) const;
   /// Whether every piece is in balance under forces at its edge.
   [[nodiscard]] bool in_balance(const NodeField& load) const;
-  /// Whether only void feels none of these tractions.
+  /// Whether no void lies along the sides that these tractions pull at.
   [[nodiscard]] bool feels(const Uniform& stress) const;
 
   /// Product of force and displacement over the energy density [m^2].
@@ -79,16 +78,6 @@ HeldNodes Specimen::held(int row, int col) const {
       held.x[static_cast<std::size_t>(node)] = held.y[static_cast<std::size_t>(node)] =
           is_at_edge(row + node / 2, col + node % 2);
   return held;
-}
-
-void Specimen::clear_held(NodeField& field) const {
-  if (boundary_ != Boundary::uniform_strain) return;
-  const CellShape grid = shape();
-  const auto clear = [&](std::size_t at) { field.x[at] = field.y[at] = 0; };
-  for (int row = 0; row <= grid.cells_y; ++row)
-    for (const int col : {0, grid.cells_x}) clear(grid.node(row, col));
-  for (const int row : {0, grid.cells_y})
-    for (int col = 0; col <= grid.cells_x; ++col) clear(grid.node(row, col));
 }
 
 void Specimen::add_uniform(const Uniform& strain, NodeField& u) const {

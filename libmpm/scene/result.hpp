@@ -40,7 +40,7 @@ struct HistoryRow {
 /// reactions.
 [[nodiscard]] double platen_imbalance(const HistoryRow& row);
 
-/// Imbalance of the platens up to which a row of the history is taken to be in equilibrium [-].
+/// Imbalance of the platens above which a stress is a wave that has not crossed the specimen [-].
 inline constexpr double balanced = 0.5;
 
 /// How a point failed.

@@ -151,7 +151,11 @@ Picture squared(Picture picture, const ConvertOptions& o, ConvertReport& report)
 
 /// Transparent pixels over white, for those who want them as part of the specimen.
 void lay_over_white(Picture& picture) {
+  const bool is_grey = !picture.gray.empty() && picture.indices.empty() && picture.bits <= 16;
+  const double white = std::ldexp(1.0, picture.bits) - 1;
   for (std::size_t i = 0; i < picture.opacity.size(); ++i) {
+    const double opaque = picture.opacity.data[i] / 255.0;
+    if (is_grey) picture.gray.data[i] = std::round(picture.gray.data[i] * opaque + white * (1 - opaque));
     const auto mix = [&](int c) {
       return static_cast<std::uint8_t>(
           (c * picture.opacity.data[i] + 255 * (255 - picture.opacity.data[i]) + 127) / 255);

@@ -216,7 +216,6 @@ Resampling choose_mask_size(int source_rows, int source_cols, int factor, int pi
 }
 
 Raster<Cell> resampled(const Raster<Cell>& cells, const Resampling& to) {
-  if (to.cols > to.source_cols) return at_centres(cells, to);
   return to.cols > to.source_cols ? at_centres(cells, to) : coarser(cells, to);
 }
 

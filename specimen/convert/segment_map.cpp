@@ -126,11 +126,12 @@ void leave_outside_out(ValueMap& map, const Picture& picture, const ConvertOptio
                        const std::function<bool(std::int32_t)>& is_matrix) {
   if (o.outside == Outside::none) return;
   OutsideMask outside = without_value(picture, map, is_matrix);
-  const bool clear = outside.empty();
-  if (clear) outside = outside_of_map(map.code, o.outside == Outside::void_, map.black);
+  const bool by_value = outside.empty();
+  if (by_value) outside = outside_of_map(map.code, o.outside == Outside::void_, map.black);
   if (outside.empty()) return;
-  if (clear) map.outside = map.code.data[first_marked(outside)];
-  const std::string what = clear ? "value " + value_text(map, map.outside) : "transparent";
+  if (by_value) map.outside = map.code.data[first_marked(outside)];
+  const std::string what =
+      by_value ? "value " + value_text(map, map.outside) : "transparent or without a value";
   double pixels = 0;
   for (std::size_t i = 0; i < outside.size(); ++i)
     if (outside.data[i] != 0) ++pixels, map.code.data[i] = -1;

@@ -39,8 +39,8 @@ class Sorter {
   std::optional<Raster<std::int32_t>> sort() {
     constexpr double least_core = 0.6;
     constexpr int most_rounds = 3;
-    const double most_unexplained = lossy_ ? 0.06 : 0.02;
     const auto pixels = static_cast<double>(picture_.size());
+    most_unexplained_ = (lossy_ ? 0.06 : 0.02) * pixels;
     if (!find_tones()) return std::nullopt;
     for (int round = 0; round < most_rounds; ++round) {
       far_off_ = lossy_ || round > 0 ? 60 : 32;
@@ -49,7 +49,7 @@ class Sorter {
       settle();
       if (!add_missed_tone()) break;
     }
-    if (static_cast<double>(unexplained_) > most_unexplained * pixels) return std::nullopt;
+    if (explains_too_little()) return std::nullopt;
     return std::move(code_);
   }
 
@@ -57,6 +57,10 @@ class Sorter {
   [[nodiscard]] std::int64_t settled() const { return settled_; }
 
  private:
+  [[nodiscard]] bool explains_too_little() const {
+    return static_cast<double>(unexplained_) > most_unexplained_;
+  }
+
   /// Dots too small for a flat middle have a tone of their own where nothing else explains them.
   bool add_missed_tone() {
     constexpr double least_share = 2e-4;
@@ -266,6 +270,8 @@ class Sorter {
         if (code_(r, c) >= 0) continue;
         all(r, c) = settle_pixel(r, c);
         settled_ += all(r, c) != own_(r, c);
+        // No tone will be added; every further pixel would be held against all tones for nothing.
+        if (static_cast<int>(tones_.size()) > few_tones && explains_too_little()) return;
       }
     code_ = std::move(all);
   }
@@ -281,6 +287,7 @@ class Sorter {
   std::vector<std::int32_t> met_;
   std::vector<Rgb> far_;  ///< colours that no two tones explain
   std::int64_t cores_ = 0, settled_ = 0, unexplained_ = 0;
+  double most_unexplained_ = 0;  ///< pixels
 };
 
 /// The value that the user knows a tone by: the commonest value of the picture among its pixels.

@@ -48,7 +48,9 @@ void doubt_aggregates(const Specimen& specimen, std::vector<std::string>& doubts
 void doubt_size(const LabelledMask& mask, std::vector<std::string>& doubts) {
   constexpr double least = 2e-3, most = 10;  // [m]
   if (mask.width() < least || mask.width() > most)
-    doubts.push_back("the specimen is " + length_text(mask.width()) + " wide");
+    doubts.push_back("the specimen is " +
+                     (mask.width() > most ? short_number(mask.width()) + " m" : length_text(mask.width())) +
+                     " wide");
 }
 
 }  // namespace

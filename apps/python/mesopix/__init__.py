@@ -90,10 +90,10 @@ def simulate(
     settings: by their keys, {"loading.stop_strain": 2e-4, "mortar.tensile_scale": "12 MPa"}.
     output: run folder to write, as the program does; with frames it must be given. Else see Result.save.
     overwrite: write into a folder that is not empty.
-    estimate_error: add to the summary how wrong the peak may be, from runs at another rate, step, precision and pixel
-        size.
-    tolerance: choose the rate, the step and the precision that keep the error of the peak stress below this [-]. Raises
-        Error where no choice does.
+    estimate_error: add to the summary how wrong the peak may be, from runs without inertia and with another step,
+        precision and pixel size.
+    tolerance: choose the rate, the step and the precision, or the method without inertia, that keep the error of the peak
+        stress below this [-]. Raises Error where no choice does.
     progress: is given a Progress at each row of the history; where it raises StopIteration the run ends, and what was
         computed is returned, as SciPy does.
     options: settings by their short names, see below.

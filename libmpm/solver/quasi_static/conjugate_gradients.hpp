@@ -48,7 +48,6 @@ class GradientsOf {
   template <class Nodes>
   void sweep_forces(const NodeField& u, const Nodes& nodes);
   double find_residual(const NodeField& u, const NodeField* load);
-  double gather(const equilibrium::NodeSums& sums, int row);
   [[nodiscard]] double sum_of_rows() const;
   [[nodiscard]] double product(const Correction& a, const Correction& b);
   double turn(Real factor);

@@ -68,15 +68,6 @@ HeldNodes Equilibrium::held(int row, int col) const {
   return held;
 }
 
-void Equilibrium::clear_held(NodeField& field) const {
-  for (const int row : {0, plan_.cells_y}) {
-    const auto first = static_cast<std::ptrdiff_t>(shape().node(row, 0));
-    std::fill_n(field.y.begin() + first, shape().stride(), 0.0);
-    if (scene_.loading.platen == Platen::rough) std::fill_n(field.x.begin() + first, shape().stride(), 0.0);
-  }
-  field.x[shape().node(0, pinned_)] = 0;
-}
-
 bool Equilibrium::solve(double reduction) {
   const bool solved = gradients_->solve(u_, reduction, accuracy);
   read_reactions();
@@ -103,23 +94,23 @@ double Equilibrium::largest_utilisation(int row, int plane, const Resistance& re
   const std::size_t above = shape().node(row + 1, 0);
   const int k = scene_.points_per_cell;
   const Eigen::Matrix3d& unit = unit_stiffness();
-  return chosen_equilibrium_kernels(scene_.instruction_set)
-      .largest_utilisation({.cells = static_cast<int>(points_.stride),
-                            .ux_lower = u_.x.data() + below,
-                            .uy_lower = u_.y.data() + below,
-                            .ux_upper = u_.x.data() + above,
-                            .uy_upper = u_.y.data() + above,
-                            .xi = (plane % k + 0.5) / k,
-                            .eta = (plane / k + 0.5) / k,
-                            .scale = sign / plan_.cell_size,
-                            .stiffness = points_.stiffness.data() + at,
-                            .shear = points_.shear.empty() ? nullptr : points_.shear.data() + at,
-                            .unit_axial = unit(0, 0),
-                            .unit_lateral = unit(0, 1),
-                            .unit_shear = unit(2, 2),
-                            .tension = resistance.tension.data() + at,
-                            .crush = resistance.crush.data() + at,
-                            .crush_share = resistance.crush_share});
+  return multigrid_->kernels().largest_utilisation(
+      {.cells = static_cast<int>(points_.stride),
+       .ux_lower = u_.x.data() + below,
+       .uy_lower = u_.y.data() + below,
+       .ux_upper = u_.x.data() + above,
+       .uy_upper = u_.y.data() + above,
+       .xi = (plane % k + 0.5) / k,
+       .eta = (plane / k + 0.5) / k,
+       .scale = sign / plan_.cell_size,
+       .stiffness = points_.stiffness.data() + at,
+       .shear = points_.shear.empty() ? nullptr : points_.shear.data() + at,
+       .unit_axial = unit(0, 0),
+       .unit_lateral = unit(0, 1),
+       .unit_shear = unit(2, 2),
+       .tension = resistance.tension.data() + at,
+       .crush = resistance.crush.data() + at,
+       .crush_share = resistance.crush_share});
 }
 
 void Equilibrium::part(const Pieces& pieces) {

@@ -82,7 +82,6 @@ class Equilibrium final : private LatticeCells {
 
  private:
   [[nodiscard]] HeldNodes held(int row, int col) const override;
-  void clear_held(NodeField& field) const override;
 
   void find_pinned_node();
   void make_multigrid();

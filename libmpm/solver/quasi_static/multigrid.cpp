@@ -1,7 +1,6 @@
 #include "libmpm/solver/quasi_static/multigrid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace mpm {

@@ -3,7 +3,7 @@
 /// The finest grid is that of the run and is never stored as a matrix. Each coarser one has cells of twice
 /// the size, whose matrices are those of their four children seen through bilinear interpolation (Galerkin);
 /// an odd cell at the end joins the last two, see CoarseAxis. When points fail, only the ancestors of their
-/// cells are computed anew.  Smoothing is by damped block
+/// cells are computed anew. Smoothing is by damped block
 /// Jacobi, so that the result does not depend on the order of the nodes; the coarsest grid is solved
 /// directly.
 #pragma once
@@ -84,8 +84,6 @@ class FineGrid {
   [[nodiscard]] virtual CellModes cell(int row, int col) const = 0;
   /// Nodes of a cell that are held.
   [[nodiscard]] virtual HeldNodes held(int row, int col) const = 0;
-  /// Sets the components of held nodes to zero.
-  virtual void clear_held(NodeField& field) const = 0;
   [[nodiscard]] virtual EdgeNodes edges() const { return EdgeNodes::held; }
   /// Of the stiffest thing over the softest one that matters [-].
   [[nodiscard]] virtual double contrast() const { return 1; }

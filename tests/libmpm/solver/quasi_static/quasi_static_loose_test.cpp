@@ -6,6 +6,7 @@
 #include "libmpm/run/simulate.hpp"
 #include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
+#include "tests/libmpm/solver/quasi_static/quasi_static_runs.hpp"
 
 namespace quasi_static_loose_test {
 
@@ -123,13 +124,9 @@ TEST(QuasiStaticLoose, IsTakenUpFromACheckpoint) {
   scene.phases[samples::aggregate]->weibull_modulus = 5;
   scene.event_tolerance = 0;
   const Result whole = mpm::simulate(scene);
-  mpm::Checkpoint kept;
-  mpm::RunHooks hooks;
-  int rows = 0;
-  hooks.observer = [&](const mpm::Progress&) { return ++rows < 8; };
-  hooks.checkpoints.sink = [&](const mpm::Checkpoint& checkpoint) { kept = checkpoint; };
-  (void)mpm::simulate(scene, hooks);
-  const Result resumed = mpm::resume(scene, kept);
+  const samples::Interrupted run = samples::stopped_after(scene, 8);
+  EXPECT_EQ(run.half.stop, mpm::StopReason::interrupted);
+  const Result resumed = mpm::resume(scene, run.kept);
   ASSERT_EQ(resumed.history.size(), whole.history.size());
   for (std::size_t i = 0; i < whole.history.size(); ++i)
     EXPECT_EQ(resumed.history[i].stress, whole.history[i].stress) << i;

@@ -7,6 +7,7 @@
 #include "libmpm/run/simulate.hpp"
 #include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
+#include "tests/libmpm/solver/quasi_static/quasi_static_runs.hpp"
 
 namespace quasi_static_solver_snap_back_test {
 
@@ -31,14 +32,6 @@ Scene bar(int rows, bool pixel = true) {
   return scene;
 }
 
-double area_under(const Result& result, const Scene& scene) {
-  double area = 0;
-  for (std::size_t i = 1; i < result.history.size(); ++i)
-    area += 0.5 * (result.history[i].stress + result.history[i - 1].stress) *
-            (result.history[i].strain - result.history[i - 1].strain);
-  return area * scene.width() * scene.height();
-}
-
 // Only the row that breaks has lost energy; the rest has given its own back to the platens.
 TEST(QuasiStaticSnapBack, ABrittleBarGivesItsEnergyBack) {
   for (const bool pixel : {true, false})
@@ -56,7 +49,7 @@ TEST(QuasiStaticSnapBack, ABrittleBarGivesItsEnergyBack) {
       const double lost = 0.5 * 3e6 * 3e6 / young * scene.width() * broken * scene.pixel_size;
       EXPECT_NEAR(result.history.back().released, lost, 1e-5 * lost);
       EXPECT_NEAR(result.history.back().platen_work, lost, 1e-5 * lost);
-      EXPECT_NEAR(area_under(result, scene), lost, 1e-5 * lost);
+      EXPECT_NEAR(samples::area_under(result, scene), lost, 1e-5 * lost);
       EXPECT_LT(result.energy_error, 1e-12);
     }
 }
@@ -72,7 +65,7 @@ TEST(QuasiStaticSnapBack, ALongBarDissipatesTheFractureEnergyOfItsBand) {
       const double expected = energy * scene.width();
       EXPECT_NEAR(result.peak_stress, 3e6, 100);
       EXPECT_NEAR(result.history.back().released, expected, 0.01 * expected) << rows << " " << pixel;
-      EXPECT_NEAR(area_under(result, scene), expected, 0.01 * expected);
+      EXPECT_NEAR(samples::area_under(result, scene), expected, 0.01 * expected);
       // Half way down its strain is larger than at the peak, or smaller.
       const auto peak = std::find_if(result.history.begin(), result.history.end(),
                                      [](const mpm::HistoryRow& row) { return row.stress > 2.99e6; });
@@ -117,7 +110,7 @@ TEST(QuasiStaticSnapBack, TheWorkIsTheAreaUnderItsCurve) {
   scene.loading.path = mpm::LoadingPath::snap_back;
   const Result result = mpm::simulate(scene);
   const double work = result.history.back().platen_work;
-  EXPECT_NEAR(area_under(result, scene), work, 0.02 * work);
+  EXPECT_NEAR(samples::area_under(result, scene), work, 0.02 * work);
 }
 
 TEST(QuasiStaticSnapBack, FailuresAreRecordedAtTheLargestStrainSoFar) {
@@ -142,19 +135,11 @@ TEST(QuasiStaticSnapBack, GoesOnAsIfItHadNeverStopped) {
     Scene scene = concrete();
     scene.loading.path = mpm::LoadingPath::snap_back;
     scene.event_tolerance = 0.02;
-    for (auto& phase : scene.phases)
-      if (phase && phase->can_crack()) {
-        phase->fracture_energy = energy;
-        phase->weibull_modulus = energy > 0 ? 4 : 1.5;
-      }
+    samples::set_fracture_energy(scene, energy);
     const Result whole = mpm::simulate(scene);
-    mpm::Checkpoint kept;
-    mpm::RunHooks hooks;
-    int rows = 0;
-    hooks.observer = [&](const mpm::Progress&) { return ++rows < 60; };
-    hooks.checkpoints.sink = [&](const mpm::Checkpoint& checkpoint) { kept = checkpoint; };
-    (void)mpm::simulate(scene, hooks);
-    const Result resumed = mpm::resume(scene, kept);
+    const samples::Interrupted run = samples::stopped_after(scene, 60);
+    EXPECT_EQ(run.half.stop, mpm::StopReason::interrupted);
+    const Result resumed = mpm::resume(scene, run.kept);
     ASSERT_EQ(resumed.history.size(), whole.history.size());
     for (std::size_t i = 0; i < whole.history.size(); ++i) {
       EXPECT_EQ(resumed.history[i].strain, whole.history[i].strain) << i;
