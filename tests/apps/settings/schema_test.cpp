@@ -279,6 +279,7 @@ TEST(Schema, KnowsWhatEquilibriumHasNoUseFor) {
   EXPECT_EQ(settings.scene.loading.path, mpm::LoadingPath::snap_back);
   for (const char* key : {"loading.velocity", "loading.ramp_time", "solver.cfl", "solver.local_damping"})
     EXPECT_EQ(app::why_unused(key, settings), "has no effect with solver.method = \"quasi_static\"") << key;
+  EXPECT_EQ(app::why_unused("solver.threads", settings), "");
 }
 
 }  // namespace schema_test

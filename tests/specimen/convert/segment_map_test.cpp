@@ -164,6 +164,22 @@ TEST(SegmentMap, TransparencyIsVoidUnlessToldOtherwise) {
   }
 }
 
+TEST(SegmentMap, WhatLiesBelowTransparencyIsWhiteInGreyAsInColour) {
+  const KnownTruth truth = known_truth();
+  Raster<double> gray(truth.rows, truth.cols);
+  Raster<std::uint8_t> opacity(truth.rows, truth.cols, 255);
+  for (std::size_t i = 0; i < gray.size(); ++i) {
+    opacity.data[i] = i < gray.size() / 5 ? 0 : 255;
+    gray.data[i] = opacity.data[i] == 0 ? 0 : truth.labels.data[i] == specimen::phase::aggregate ? 200 : 120;
+  }
+  Picture grey = picture_of(gray), coloured = in_colour(gray);
+  grey.opacity = coloured.opacity = opacity;
+  const Converted one = convert(grey, specimen::Outside::none);
+  EXPECT_EQ(one.segmented.mask.labels.data,
+            convert(coloured, specimen::Outside::none).segmented.mask.labels.data);
+  EXPECT_THAT(one.report.notes, Contains(HasSubstr("255 = ")));
+}
+
 TEST(SegmentMap, NumberedGrainsAreGrains) {
   const KnownTruth truth = known_truth();
   Raster<std::uint8_t> stones = truth.labels;
