@@ -12,7 +12,6 @@
 #include "apps/statistics/statistics.hpp"
 #include "apps/text/markup.hpp"
 #include "libmpm/files/replace_file.hpp"
-#include "specimen/describe/doubts.hpp"
 
 namespace app {
 namespace {
@@ -135,7 +134,6 @@ class StiffnessCommand : public SettingsCommand {
     settle_source(resolved.settings);
     const Prepared cells = prepare_cells(resolved.settings);
     for (const std::string& note : cells.notes) console.say("note: " + note);
-    for (const std::string& doubt : specimen::doubts_of(cells.specimen)) console.warn(doubt);
     return measure_stiffness(input, cells.specimen, resolved.settings);
   }
 
