@@ -5,6 +5,7 @@
 #include "libmpm/problems/method.hpp"
 #include "libmpm/solver/lattice/lattice_solver.hpp"
 #include "libmpm/solver/moving/moving_solver.hpp"
+#include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
 
 namespace mpm::problems {
 namespace {
@@ -20,6 +21,12 @@ PlateStress at_pixel(const Scene& scene, std::uint32_t id, const Stress<double>&
           scene.labels(row, col),
           {s.xx / load, s.yy / load, s.xy / load}};
 }
+
+/// Stress of a point by its id [Pa].
+struct PointStress {
+  std::uint32_t id = 0;
+  Stress<double> stress;
+};
 
 /// Energies that are none, or no number, are those of a step that is too long for the damping.
 std::string trouble_of(const Ledger& ledger) {
@@ -40,6 +47,19 @@ StaticPlate pull_to_the_end(const Scene& scene, Solver& solver, const PointsOf& 
   result.modulus = load / (ledger.platen_displacement / scene.height());
   for (const auto& p : points_of(solver)) result.points.push_back(at_pixel(scene, p.id, p.stress, load));
   return result;
+}
+
+/// One step: the elastic plate is in equilibrium at its full strain.
+StaticPlate pull_without_waves(const Scene& scene) {
+  const Plan plan = mpm::plan(scene);
+  QuasiStaticSolver solver(scene, plan);
+  return pull_to_the_end(scene, solver, [](const auto& it) {
+    Frame frame;
+    it.fill(frame);
+    std::vector<PointStress> points;
+    for (const FramePoint& p : frame.points) points.push_back({p.id, {p.sxx, p.syy, p.sxy}});
+    return points;
+  });
 }
 
 template <class Real>
@@ -82,6 +102,7 @@ void draw_disc(Scene& scene, double radius, std::uint8_t label) {
 }
 
 StaticPlate pull(const Scene& scene) {
+  if (scene.method == SolverMethod::quasi_static) return pull_without_waves(scene);
   return scene.precision == Precision::single ? pull_in<float>(scene) : pull_in<double>(scene);
 }
 

@@ -1,5 +1,5 @@
-/// A plate drawn as pixels under slow, damped tension between smooth platens: uniform, with a stiff disc,
-/// with a round hole, in layers.
+/// A plate drawn as pixels under slow, damped or quasi-static tension between smooth platens: uniform, with a
+/// stiff disc, with a round hole, in layers.
 #pragma once
 
 #include <string>

@@ -9,6 +9,7 @@
 
 #include "libmpm/problems/plate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
+#include "tests/libmpm/verification/order.hpp"
 
 namespace inclusion_test {
 
@@ -48,6 +49,30 @@ TEST(Inclusion, CarriesTheSameOnMovingPoints) {
         << "B-splines smooth over half of a disc of four cells";
     EXPECT_LT(std::abs(e.mean), 0.05);
   }
+}
+
+// Without waves and in a plate forty discs' radii wide the stair is all that is left, and what it does inside
+// the disc falls with the pixel.
+TEST(Inclusion, OfPixelCellsConvergesWithThePixel) {
+  const auto error = [](int pixels) {
+    mpm::Scene scene = mpm::problems::plate(pixels);
+    mpm::problems::draw_disc(scene, 0.025, 2);
+    scene.pixel_cells = true;
+    scene.points_per_cell = 1;
+    scene.method = mpm::SolverMethod::quasi_static;
+    const auto plate = mpm::problems::pull(scene);
+    EXPECT_EQ(plate.trouble, "");
+    return mpm::problems::inclusion_errors(plate, 0.025);
+  };
+  std::vector<double> sizes, mean, inner;
+  for (const int pixels : {80, 160, 320}) {
+    const Errors errors = error(pixels);
+    sizes.push_back(1.0 / pixels);
+    mean.push_back(errors.mean);
+    inner.push_back(errors.inner);
+  }
+  EXPECT_GE(samples::fitted_order(sizes, inner), 1);
+  EXPECT_GE(samples::fitted_order(sizes, mean), 0.95);
 }
 
 }  // namespace inclusion_test
