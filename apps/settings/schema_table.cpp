@@ -337,6 +337,9 @@ std::vector<PhaseField> properties() {
       property("fracture_energy", QuantityCodec{Dimension::energy, above(0), Word{"brittle", 0}},
                "of a crack, spent as it opens; brittle = points crack at one blow",
                &mpm::Phase::fracture_energy),
+      property("shear_fracture_energy", QuantityCodec{Dimension::energy, above(0), Word{"brittle", 0}},
+               "of a shear band, spent as it slips; needs damage.crack_closure",
+               &mpm::Phase::shear_fracture_energy),
   };
 }
 

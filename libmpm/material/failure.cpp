@@ -20,6 +20,16 @@ double widest_band(const Phase& phase, Plane plane, double peak) {
   return 2 * bar_modulus(phase, plane) * phase.fracture_energy / (peak * peak);
 }
 
+Softening shear_softening(const Phase& phase, Plane plane, double factor, double band) {
+  const double strength = compressive_strength(phase, factor);
+  return {1, 1, phase.shear_fracture_energy * bar_modulus(phase, plane) / (band * strength * strength) - 0.5};
+}
+
+double widest_shear_band(const Phase& phase, Plane plane, double factor) {
+  const double strength = compressive_strength(phase, factor);
+  return 2 * bar_modulus(phase, plane) * phase.shear_fracture_energy / (strength * strength);
+}
+
 double largest_strain(const Phase& phase, Plane plane, const Stress<double>& elastic) {
   const PrincipalStress s = principal_stress(elastic.xx, elastic.yy, elastic.xy, 0);
   const double nu = plane == Plane::strain ? phase.poisson / (1 - phase.poisson) : phase.poisson;
@@ -69,11 +79,28 @@ Response softened(const PointState& point, const Stress<double>& elastic, const 
   Response response{point, true, fails ? FailureMode::tension : FailureMode::none};
   response.point.strength = strength;
   const double share = strength / principal_stress(elastic.xx, elastic.yy, elastic.xy, 0).first;
-  if (law.closure != CrackClosure::off)
-    response.point.cracked = 1 - share;
+  if (law.closure != CrackClosure::off)  // what shear has left of the stiffness carries less of the stress
+    response.point.cracked = std::max(point.cracked, 1 - share / point.kept);
   else
     response.point.kept = std::max(share, law.residual_stiffness);
   return response;
+}
+
+/// Strain of a softening curve at which its secant is this share of the elastic stiffness [-], by Newton's
+/// method from a smaller strain: the logarithm of the equation is concave, so that no step goes too far.
+double strain_of_secant(const Softening& curve, double kept, double strain) {
+  for (int i = 0; i < 30; ++i) {
+    const double step = (std::log(kept * strain / curve.onset) + (strain - curve.onset) / curve.scale) /
+                        (1 / strain + 1 / curve.scale);
+    strain -= step;
+    if (std::abs(step) < 1e-14 * strain) break;
+  }
+  return strain;
+}
+
+/// Largest utilisation that a point has been through, from the stiffness that it has left [-].
+double largest_utilisation(const PointState& point, const Softening& curve) {
+  return point.kept < 1 ? strain_of_secant(curve, point.kept, curve.onset) : curve.onset;
 }
 
 Response crushed(const PointState& point, const DamageLaw& law) {
@@ -85,20 +112,23 @@ Response crushed(const PointState& point, const DamageLaw& law) {
   return response;
 }
 
-}  // namespace
-
-namespace {
-
-/// Strain of the curve at which its secant is this share of the elastic stiffness [-], by Newton's method
-/// from a smaller strain: the logarithm of the equation is concave, so that no step goes too far.
-double strain_of_secant(const Softening& curve, double kept, double strain) {
-  for (int i = 0; i < 30; ++i) {
-    const double step = (std::log(kept * strain / curve.onset) + (strain - curve.onset) / curve.scale) /
-                        (1 / strain + 1 / curve.scale);
-    strain -= step;
-    if (std::abs(step) < 1e-14 * strain) break;
+/// The shear band of a point goes on along its curve.
+/// @param whole  stress that the point would carry with all of its stiffness [Pa].
+Response sheared(const PointState& point, const PrincipalStress& whole, const DamageLaw& law) {
+  const Softening curve = shear_softening(*point.phase, law.plane, point.factor, law.band);
+  const double reached = shear_utilisation(*point.phase, point.factor, whole);
+  const double before = largest_utilisation(point, curve);
+  if (!(reached > (point.kept < 1 ? 1 + rounding_room : 1) * before)) return {point};
+  const double after = curve.stress_at(reached);
+  const bool fails = curve.stress_at(before) > 0.5 && after <= 0.5;
+  if (after < exhausted) {
+    Response response = crushed(point, law);
+    if (!fails) response.failure = FailureMode::none;
+    return response;
   }
-  return strain;
+  Response response{point, true, fails ? FailureMode::shear : FailureMode::none};
+  response.point.kept = std::max(after / reached, law.residual_stiffness);
+  return response;
 }
 
 /// What the curve has dissipated when it unloads from a strain [J/m^3].
@@ -162,8 +192,18 @@ Response respond(const PointState& point, const Stress<double>& elastic, const D
   const double room = softens ? 1 + rounding_room : 1;
   if (std::max(principal.first, principal.normal) > room * point.strength)
     return point.phase->softens() ? softened(point, elastic, law) : cracked_through(point, law);
+  if (point.phase->softens_in_shear() && law.closure != CrackClosure::off) {
+    const double part = 1 / point.kept;
+    return sheared(point, {part * principal.first, part * principal.second, part * principal.normal}, law);
+  }
   if (fails_in_shear(*point.phase, point.factor, principal)) return crushed(point, law);
   return {point};
+}
+
+double remaining_cohesion(const PointState& point, const DamageLaw& law) {
+  if (!point.phase->softens_in_shear() || law.closure == CrackClosure::off || !(point.kept < 1)) return 1;
+  const Softening curve = shear_softening(*point.phase, law.plane, point.factor, law.band);
+  return point.kept > 0 ? curve.stress_at(largest_utilisation(point, curve)) : 0;
 }
 
 double stress_power(const Phase& phase, Plane plane, const Stress<double>& stress,

@@ -29,6 +29,15 @@ struct Softening {
 /// fracture energy.
 [[nodiscard]] double widest_band(const Phase& phase, Plane plane, double peak);
 
+/// The same in shear: what remains of the Mohr-Coulomb strength over what the elastic stress would take of
+/// it, both 1 at the onset; see shear_utilisation(). All components of the stress fall alike. In compression
+/// without lateral stress the band dissipates the energy of the phase; where the sides are held, more.
+/// @param factor  on the strength of the point [-].   @param band  width of the shear band [m].
+[[nodiscard]] Softening shear_softening(const Phase& phase, Plane plane, double factor, double band);
+
+/// Width of a shear band above which a point with this factor [-] snaps back [m].
+[[nodiscard]] double widest_shear_band(const Phase& phase, Plane plane, double factor);
+
 /// A softening point whose stress falls and rises by teeth, along secants of its softening curve.
 struct Tooth {
   double kept = 0;      ///< share of its stiffness that remains [-]; 0 = cracked through
@@ -68,6 +77,9 @@ struct DamageLaw {
 /// @param band  width of a crack band [m].
 [[nodiscard]] DamageLaw damage_law(const Scene& scene, double band, bool logarithmic);
 
+/// Share of the cohesion that remains of a point [-].
+[[nodiscard]] double remaining_cohesion(const PointState& point, const DamageLaw& law);
+
 /// Stress [Pa] of the point if an intact point would carry `elastic` [Pa].
 [[nodiscard]] Stress<double> carried_stress(const PointState& point, const Stress<double>& elastic,
                                             const DamageLaw& law);
@@ -76,9 +88,9 @@ struct DamageLaw {
 struct Response {
   PointState point;  ///< afterwards
   bool changed = false;
-  FailureMode failure = FailureMode::none;  ///< that happened just now; a point that softens fails in tension
-                                            ///< when half of its strength is lost, and with it about half of
-                                            ///< its fracture energy
+  FailureMode failure = FailureMode::none;  ///< that happened just now; a point that softens fails when half
+                                            ///< of its strength is lost, and with it about half of its
+                                            ///< fracture energy
 };
 /// Apply the failure criteria to a point under an elastic stress [Pa]; tension is tested first.
 [[nodiscard]] Response respond(const PointState& point, const Stress<double>& elastic, const DamageLaw& law);

@@ -59,14 +59,29 @@ bool fails_in_shear(const Phase& phase, double factor, const PrincipalStress& st
   return -s3 * (1 - sine) > factor * resistance;
 }
 
+double shear_utilisation(const Phase& phase, double factor, const PrincipalStress& stress) {
+  if (!phase.can_shear()) return 0;
+  const double s1 = std::max(stress.first, stress.normal);
+  const double s3 = std::min(stress.second, stress.normal);
+  if (s3 >= 0) return 0;
+  const double sine = std::sin(phase.friction_angle);
+  return (factor * s1 * (1 + sine) - s3 * (1 - sine)) /
+         (2 * factor * phase.cohesion * std::cos(phase.friction_angle));
+}
+
+double compressive_strength(const Phase& phase, double factor) {
+  return 2 * factor * phase.cohesion * std::cos(phase.friction_angle) / (1 - std::sin(phase.friction_angle));
+}
+
 double tension_threshold(const Phase& phase, double factor) { return phase.tensile_scale * factor; }
 
-double shear_onset(const Phase& phase, double factor, double largest_s1) {
+double shear_onset(const Phase& phase, double factor, double largest_s1, double share) {
   if (!phase.can_shear()) return Phase::unbreakable;
   // A phase that shears but never cracks has no bound on s1: every point in compression is looked at.
   if (!(largest_s1 < Phase::unbreakable)) return 0;
   const double sine = std::sin(phase.friction_angle);
-  const double resistance = 2 * phase.cohesion * std::cos(phase.friction_angle) - largest_s1 * (1 + sine);
+  const double resistance =
+      2 * share * phase.cohesion * std::cos(phase.friction_angle) - largest_s1 * (1 + sine);
   return std::max(0.0, factor * resistance / (1 - sine));
 }
 

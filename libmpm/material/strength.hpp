@@ -40,6 +40,14 @@ struct PrincipalStress {
 /// Tension failure: the largest principal stress exceeds f_t q.   @param factor  q [-].
 [[nodiscard]] bool fails_in_tension(const Phase& phase, double factor, const PrincipalStress& stress);
 
+/// Share of the Mohr-Coulomb strength that a stress takes [-]: (-s3 (1 - sin phi) + q s1 (1 + sin phi)) /
+/// (2 q c cos phi), in proportion to the stress; 0 without compression.   @param factor  q [-].
+[[nodiscard]] double shear_utilisation(const Phase& phase, double factor, const PrincipalStress& stress);
+
+/// Compressive strength of a bar that is free sideways [Pa]: q 2 c cos phi / (1 - sin phi).   @param factor q
+/// [-].
+[[nodiscard]] double compressive_strength(const Phase& phase, double factor);
+
 /// Mohr-Coulomb failure: -s3 (1 - sin phi) > q (2 c cos phi - s1 (1 + sin phi)), with s3 < 0.
 /// @param factor  q [-].
 [[nodiscard]] bool fails_in_shear(const Phase& phase, double factor, const PrincipalStress& stress);
@@ -49,7 +57,8 @@ struct PrincipalStress {
 
 /// Smallest -s3 [Pa] at which shear failure is possible while s1 <= largest_s1 [Pa]; infinite for a phase
 /// that does not fail in shear. A bound for the fast test; fails_in_shear() decides.
-[[nodiscard]] double shear_onset(const Phase& phase, double factor, double largest_s1);
+/// @param share  of the cohesion that remains [-].
+[[nodiscard]] double shear_onset(const Phase& phase, double factor, double largest_s1, double share = 1);
 
 /// Uniform random number in (0, 1) at a position, from a field with a correlation length: nearly constant
 /// within a fraction of `length`, independent beyond three lengths. So all pixel sizes sample the same field.

@@ -210,8 +210,8 @@ class Catalogue {
         check != Check::none ? "where, when and how points fail" : "nothing can fail", map_bytes(),
         std::nullopt);
     add("stored strength factors", plan_.softens,
-        plan_.softens ? "a phase has a fracture_energy: its points are checked in many steps"
-                      : "no phase has a fracture_energy; factors are computed again when a point fails",
+        plan_.softens ? "a phase has a fracture energy: its points are checked in many steps"
+                      : "no phase has a fracture energy; factors are computed again when a point fails",
         8, std::nullopt);
     add("crack closure", closure,
         closure                                            ? "damage.crack_closure is on"

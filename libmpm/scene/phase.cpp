@@ -73,6 +73,10 @@ std::vector<Error> faults(const Phase& phase, Plane plane) {
         "J/m2", "must be > 0, or 0 for a brittle phase");
   check(phase.fracture_energy == 0 || phase.can_crack(), "fracture_energy", phase.fracture_energy, "J/m2",
         "needs a tensile_scale");
+  check(finite(phase.shear_fracture_energy) && phase.shear_fracture_energy >= 0, "shear_fracture_energy",
+        phase.shear_fracture_energy, "J/m2", "must be > 0, or 0 for a phase that is brittle in shear");
+  check(phase.shear_fracture_energy == 0 || phase.can_shear(), "shear_fracture_energy",
+        phase.shear_fracture_energy, "J/m2", "needs a cohesion");
   return std::move(faults).found();
 }
 

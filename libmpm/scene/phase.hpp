@@ -31,9 +31,13 @@ struct Phase {
   double weibull_modulus = 1.5;        ///< m [-], > 0
   double fracture_energy = 0;  ///< G_f of a crack band [J/m^2]; 0 = brittle: all stress is lost at once
 
+  /// G_II of a shear band [J/m^2], in compression without lateral stress; 0 = brittle. Needs crack closure.
+  double shear_fracture_energy = 0;
+
   [[nodiscard]] bool can_crack() const { return tensile_scale < unbreakable; }
   [[nodiscard]] bool can_shear() const { return cohesion < unbreakable; }
   [[nodiscard]] bool softens() const { return can_crack() && fracture_energy > 0; }
+  [[nodiscard]] bool softens_in_shear() const { return can_shear() && shear_fracture_energy > 0; }
   [[nodiscard]] bool can_fail() const { return can_crack() || can_shear(); }
 };
 

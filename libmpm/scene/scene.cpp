@@ -55,6 +55,17 @@ void check_extra_points(Faults& faults, const Scene& scene) {
                    "must lie inside the specimen");
 }
 
+/// Without closure a crack takes all stiffness from a point, and leaves nothing that could soften in shear.
+void check_shear_band(Faults& faults, const Scene& scene, const Phase& phase) {
+  if (!phase.softens_in_shear()) return;
+  const std::string field = "phases." + phase.name + ".shear_fracture_energy";
+  const std::string value = text(phase.shear_fracture_energy, "J/m2");
+  faults.require(scene.damage.crack_closure != CrackClosure::off, field, value, "needs damage.crack_closure",
+                 "choose damage.crack_closure = \"unilateral\"");
+  faults.require(scene.method != SolverMethod::quasi_static, field, value, "is not made yet without inertia",
+                 "choose solver.method = \"explicit\"");
+}
+
 void check_phases(Faults& faults, const Scene& scene) {
   check_extra_points(faults, scene);
   const std::array<bool, 256> used = labels_in_use(scene);
@@ -67,6 +78,7 @@ void check_phases(Faults& faults, const Scene& scene) {
     if (!scene.phases[label]) continue;
     any_solid = true;
     faults.add(mpm::faults(*scene.phases[label], scene.plane));
+    check_shear_band(faults, scene, *scene.phases[label]);
   }
   faults.require(any_solid, "specimen.labels", "all void",
                  "at least one pixel must be of a phase that carries load");

@@ -169,12 +169,14 @@ void refuse_other_width(const Scene& scene, const Plan& plan) {
                 "choose linear or gimp with 2 x 2 points per cell, or solver.kinematics moving");
 }
 
+bool softens(const Phase& phase) { return phase.softens() || phase.softens_in_shear(); }
+
 /// Strongest point of each phase that softens, by label [-]; 0 = none.
 std::vector<double> largest_factors(const Scene& scene) {
   std::vector<double> largest(scene.phases.size(), 0.0);
   const StrengthFactors factors(scene, false);
   const auto take = [&](std::uint8_t label, auto&& factor) {
-    if (scene.phases[label] && scene.phases[label]->softens())
+    if (scene.phases[label] && softens(*scene.phases[label]))
       largest[label] = std::max(largest[label], factor());
   };
   for (int row = 0; row < scene.labels.rows(); ++row)
@@ -197,16 +199,23 @@ void refuse_snap_back(const Scene& scene, double band) {
   for (std::size_t label = 0; label < largest.size(); ++label) {
     if (largest[label] <= 0) continue;
     const Phase& phase = *scene.phases[label];
-    const double peak = tension_threshold(phase, largest[label]);
-    const double widest = widest_band(phase, scene.plane, peak);
-    if (band < widest) continue;
-    const double pixel = 0.999 * scene.pixel_size * widest / band;
-    throw Error("phases." + phase.name + ".fracture_energy", rounded(phase.fracture_energy, "J/m2"),
-                "is less than the elastic energy of a crack band of " + rounded(1e3 * band, "mm") +
-                    " at the strongest point, " + rounded(1e-6 * peak, "MPa"),
-                "use pixels of " + rounded(1e3 * pixel, "mm") +
-                    " at most, a larger weibull_modulus or a larger "
-                    "fracture_energy");
+    const auto refuse = [&](const char* field, double energy, const char* kind, double widest, double peak) {
+      if (band < widest) return;
+      const double pixel = 0.999 * scene.pixel_size * widest / band;
+      throw Error("phases." + phase.name + "." + field, rounded(energy, "J/m2"),
+                  std::string("is less than the elastic energy of a ") + kind + " band of " +
+                      rounded(1e3 * band, "mm") + " at the strongest point, " + rounded(1e-6 * peak, "MPa"),
+                  "use pixels of " + rounded(1e3 * pixel, "mm") +
+                      " at most, a larger weibull_modulus or a larger " + field);
+    };
+    if (phase.softens()) {
+      const double peak = tension_threshold(phase, largest[label]);
+      refuse("fracture_energy", phase.fracture_energy, "crack", widest_band(phase, scene.plane, peak), peak);
+    }
+    if (phase.softens_in_shear())
+      refuse("shear_fracture_energy", phase.shear_fracture_energy, "shear",
+             widest_shear_band(phase, scene.plane, largest[label]),
+             compressive_strength(phase, largest[label]));
   }
 }
 
@@ -237,7 +246,7 @@ Plan plan(const Scene& scene) {
     plan.moving = moving_plan(scene, plan.features, plan.cell_size);
   plan.threads = threads_worth_having(scene);
   plan.softens =
-      std::any_of(phases.begin(), phases.end(), [](const Phase* phase) { return phase->softens(); });
+      std::any_of(phases.begin(), phases.end(), [](const Phase* phase) { return softens(*phase); });
   if (plan.softens) {
     refuse_other_width(scene, plan);
     refuse_snap_back(scene, std::max(plan.cell_size, plan.moving.crack_band));

@@ -65,7 +65,9 @@ void write_point(LatticePoints<Real>& points, std::size_t at, const Scene& scene
   };
   if (!points.tension.empty()) points.tension[at] = threshold(point.strength);
   if (!points.crush.empty())
-    points.crush[at] = threshold(shear_onset(phase, point.factor, largest_tension(point)));
+    points.crush[at] =
+        threshold(shear_onset(phase, point.factor, largest_tension(point),
+                              remaining_cohesion(point, damage_law(scene, plan.cell_size, false))));
   if (!points.cracked.empty()) points.cracked[at] = static_cast<float>(point.cracked);
 }
 

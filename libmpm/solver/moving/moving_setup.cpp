@@ -211,7 +211,8 @@ void MovingSolver<Real>::write_state(const PointState& state, Real* fields, int 
   if (layout.tension >= 0) at(layout.tension) = threshold(state.strength);
   if (layout.crush >= 0) {
     const double largest = state.cracked == 1 ? 0 : tension_threshold(*state.phase, state.factor);
-    at(layout.crush) = threshold(shear_onset(*state.phase, state.factor, largest));
+    at(layout.crush) =
+        threshold(shear_onset(*state.phase, state.factor, largest, remaining_cohesion(state, law_)));
   }
   if (layout.cracked >= 0) at(layout.cracked) = static_cast<Real>(state.cracked);
 }

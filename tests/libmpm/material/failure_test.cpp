@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "libmpm/material/strength.hpp"
+
 namespace failure_test {
 
 using mpm::CrackClosure;
@@ -294,6 +296,92 @@ TEST(Softening, TeethKeepPeakAndFractureEnergy) {
     EXPECT_NEAR(released * band, energy, 0.005 * energy) << teeth;
     EXPECT_LT(teeth, 200);
   }
+}
+
+mpm::Phase shearing_mortar() {
+  mpm::Phase phase = mpm::concrete_phases()[1];
+  phase.cohesion = 8e6;
+  phase.friction_angle = 0.6;
+  phase.tensile_scale = mpm::Phase::unbreakable;
+  phase.shear_fracture_energy = 500;
+  return phase;
+}
+
+// A bar that is free sideways is pressed together: what it takes in, times the width of the band.
+TEST(ShearSoftening, DissipatesItsFractureEnergyInABandOfAnyWidth) {
+  const mpm::Phase phase = shearing_mortar();
+  for (const Plane plane : {Plane::strain, Plane::stress}) {
+    const double modulus = mpm::bar_modulus(phase, plane);
+    for (const double band : {0.25e-3, 1e-3, 4e-3}) {
+      const mpm::DamageLaw law{.plane = plane, .closure = CrackClosure::unilateral, .band = band};
+      mpm::PointState point = mpm::intact_point(phase, 1.3);
+      const double onset = mpm::compressive_strength(phase, 1.3) / modulus;
+      const double step = onset / 2000;
+      double area = 0;
+      double before = 0;
+      int failures = 0;
+      for (double strain = step; !point.spent; strain += step) {
+        ASSERT_LT(strain, 1e4 * onset);
+        const Stress<double> elastic{0, -modulus * strain, 0};
+        const mpm::Response response = mpm::respond(point, elastic, law);
+        point = response.point;
+        failures += response.failure == mpm::FailureMode::shear ? 1 : 0;
+        const double stress = -mpm::carried_stress(point, elastic, law).yy;
+        area += 0.5 * (before + stress) * step;
+        before = stress;
+      }
+      EXPECT_NEAR(area * band, 500, 0.01 * 500) << band;
+      EXPECT_EQ(failures, 1) << "when half of the cohesion is lost";
+    }
+  }
+}
+
+TEST(ShearSoftening, UnloadsToTheOriginAndGoesOnWhereItWas) {
+  const mpm::Phase phase = shearing_mortar();
+  const mpm::DamageLaw law{.closure = CrackClosure::unilateral, .band = 1e-3};
+  const double strength = mpm::compressive_strength(phase, 1);
+  const auto press = [&](mpm::PointState& point, double times) {
+    const Stress<double> elastic{0, -times * strength, 0};
+    point = mpm::respond(point, elastic, law).point;
+    return -mpm::carried_stress(point, elastic, law).yy / strength;
+  };
+  mpm::PointState point = mpm::intact_point(phase, 1);
+  EXPECT_DOUBLE_EQ(press(point, 0.999), 0.999);
+  const mpm::Softening curve = mpm::shear_softening(phase, Plane::strain, 1, 1e-3);
+  const double times = 1 + 0.4 * curve.scale;
+  EXPECT_NEAR(press(point, times), std::exp(-0.4), 1e-12);
+  EXPECT_NEAR(mpm::remaining_cohesion(point, law), std::exp(-0.4), 1e-9);
+  EXPECT_NEAR(press(point, 0.5 * times), 0.5 * std::exp(-0.4), 1e-12);
+  EXPECT_NEAR(press(point, 1 + 0.8 * curve.scale), std::exp(-0.8), 1e-12);
+}
+
+// Its cracks open and close meanwhile: tension must not give back what shear took.
+TEST(ShearSoftening, KeepsWhatACrackHasTaken) {
+  mpm::Phase phase = shearing_mortar();
+  phase.tensile_scale = 4e6;
+  phase.fracture_energy = 60;
+  const mpm::DamageLaw law{.closure = CrackClosure::unilateral, .band = 1e-3};
+  mpm::PointState point = mpm::intact_point(phase, 1);
+  const double strength = mpm::compressive_strength(phase, 1);
+  point = mpm::respond(point, {0, -3 * strength, 0}, law).point;
+  const double kept = point.kept;
+  EXPECT_LT(kept, 0.5);
+  const Stress<double> pull{0, 8e6 / kept, 0};
+  point = mpm::respond(point, pull, law).point;
+  EXPECT_EQ(point.kept, kept);
+  EXPECT_GT(point.cracked, 0);
+  EXPECT_LE(mpm::carried_stress(point, pull, law).yy, 4e6);
+  const double cracked = point.cracked;
+  point = mpm::respond(point, {0, -4 * strength, 0}, law).point;
+  EXPECT_LT(point.kept, kept);
+  EXPECT_EQ(point.cracked, cracked);
+}
+
+TEST(ShearSoftening, SnapsBackBeyondTheWidestBand) {
+  const mpm::Phase phase = shearing_mortar();
+  const double widest = mpm::widest_shear_band(phase, Plane::stress, 1);
+  EXPECT_GT(mpm::shear_softening(phase, Plane::stress, 1, 0.99 * widest).scale, 0);
+  EXPECT_LT(mpm::shear_softening(phase, Plane::stress, 1, 1.01 * widest).scale, 0);
 }
 
 TEST(Softening, TeethThatAreExceededArePassedOver) {

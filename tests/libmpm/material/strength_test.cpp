@@ -116,6 +116,32 @@ TEST(ShearOnset, NeverMissesAFailure) {
   }
 }
 
+TEST(ShearOnset, FallsWithTheCohesion) {
+  const Phase phase = mortar();
+  EXPECT_LT(mpm::shear_onset(phase, 1, 0, 0.25), 0.2501 * mpm::shear_onset(phase, 1, 0));
+  EXPECT_EQ(mpm::shear_onset(phase, 1, mpm::tension_threshold(phase, 1), 0), 0);
+}
+
+TEST(ShearUtilisation, IsOneWhereThePointFails) {
+  const Phase phase = mortar();
+  for (const double factor : {0.3, 1.0, 4.0}) {
+    for (const double s1 : {-2e6, 0.0, 5e6}) {
+      const PrincipalStress unit{s1, -100e6, s1};
+      const double share = mpm::shear_utilisation(phase, factor, unit);
+      ASSERT_GT(share, 0);
+      const auto scaled = [&](double by) { return PrincipalStress{by * s1, -by * 100e6, by * s1}; };
+      EXPECT_TRUE(mpm::fails_in_shear(phase, factor, scaled(1.0001 / share)));
+      EXPECT_FALSE(mpm::fails_in_shear(phase, factor, scaled(0.9999 / share)));
+    }
+  }
+  EXPECT_EQ(mpm::shear_utilisation(phase, 1, {5e6, 1e6, 1e6}), 0) << "there is no compression";
+}
+
+TEST(CompressiveStrength, IsThatOfABarFreeSideways) {
+  const Phase phase = mortar();
+  EXPECT_NEAR(mpm::shear_utilisation(phase, 2, {0, -mpm::compressive_strength(phase, 2), 0}), 1, 1e-12);
+}
+
 constexpr double length = 2e-3;
 
 double at(double x, double y, std::uint64_t seed = 1) { return mpm::field_random(seed, x, y, length); }

@@ -187,6 +187,22 @@ TEST(Plan, RefusesAPixelInWhichACrackWouldSnapBack) {
   EXPECT_THAT(message_of(scattered), testing::HasSubstr("at the strongest point, "));
 }
 
+TEST(Plan, RefusesAPixelInWhichAShearBandWouldSnapBack) {
+  mpm::Scene scene = softening_block(5e-3);
+  scene.phases[samples::mortar]->fracture_energy = 0;
+  scene.phases[samples::mortar]->shear_fracture_energy = 5e4;
+  scene.damage.crack_closure = mpm::CrackClosure::unilateral;
+  // 2 E' G / f_c^2 with f_c = 2 x 150 MPa cos 50 deg / (1 - sin 50 deg) = 824 MPa: 3.07 mm.
+  EXPECT_EQ(
+      message_of(scene),
+      "phases.mortar.shear_fracture_energy: 5e+04 J/m2; is less than the elastic energy of a shear band of "
+      "10 "
+      "mm at the strongest point, 824 MPa; use pixels of 1.53 mm at most, a larger weibull_modulus or a "
+      "larger shear_fracture_energy");
+  scene.pixel_size = 1.5e-3;
+  EXPECT_EQ(message_of(scene), "planned");
+}
+
 TEST(Plan, KnowsOverHowManyCellsACrackIsSmeared) {
   mpm::Scene scene = softening_block(1e-3);
   scene.kinematics = mpm::Kinematics::moving;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "libmpm/material/strength.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "tests/libmpm/moving_scenes.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
@@ -107,6 +108,37 @@ TEST(CrackBand, CostsItsFractureEnergyWhenPointsBeginToMoveHalfWay) {
       if (row.moving_points == 0) before = row.released / (fracture_energy * width);
     EXPECT_GT(before, 0.2);
     EXPECT_LT(before, 0.8);
+  }
+}
+
+// A weak row of pixels is pressed together and slips: it costs its energy in shear.
+TEST(CrackBand, CostsItsEnergyInShear) {
+  constexpr double energy = 200;
+  for (const double pixel : {1e-3, 0.5e-3}) {
+    for (const bool pixel_cells : {true, false}) {
+      mpm::Scene scene = strip(pixel, 0);
+      for (const auto label : {samples::mortar, samples::itz}) {
+        mpm::Phase& phase = *scene.phases[label];
+        phase.tensile_scale = mpm::Phase::unbreakable;
+        phase.fracture_energy = 0;
+        phase.cohesion = label == samples::itz ? 4e6 : 8e6;
+        phase.friction_angle = 0.5;
+        phase.shear_fracture_energy = energy;
+      }
+      scene.pixel_cells = pixel_cells;
+      scene.points_per_cell = pixel_cells ? 1 : 2;
+      scene.damage.crack_closure = mpm::CrackClosure::unilateral;
+      scene.loading.direction = mpm::Direction::compression;
+      scene.loading.stop_strain = 9 * energy / 13e6 / height;
+      scene.loading.velocity = 0.1;
+      const mpm::Result result = mpm::simulate(scene);
+      EXPECT_NEAR(result.history.back().released, energy * width, 0.02 * energy * width) << pixel;
+      const double strength = mpm::compressive_strength(*scene.phases[samples::itz], 1);
+      if (pixel_cells) {
+        EXPECT_NEAR(result.peak_stress, strength, 0.04 * strength) << pixel;
+      }
+      EXPECT_LT(result.energy_error, 0.01);
+    }
   }
 }
 
