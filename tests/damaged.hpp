@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <random>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,21 @@ void flip_bits(const std::string& good, std::size_t step, Try try_it) {
     try_it(bytes);
   }
 }
+
+/// Gives try_it() the bytes with one bit turned over, `count` times, anywhere.
+template <class Try>
+void flip_random_bits(const std::string& good, int count, Try try_it) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t bit = random() % (8 * good.size());
+    std::string bytes = good;
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
+    try_it(bytes);
+  }
+}
+
+/// A file of libmpm as HDF5 alone would have written it, without the seal at its end.
+inline std::string unsealed(const std::string& bytes) { return bytes.substr(0, bytes.rfind("\nMPXSEAL")); }
 
 /// Gives try_it() every beginning of a text, and the text with each of its letters replaced by marks that
 /// mean something, by bytes that mean nothing, and by nothing.

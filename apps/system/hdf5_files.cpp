@@ -4,17 +4,18 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <utility>
 
 #include "apps/text/complaint.hpp"
 #include "libmpm/files/frame_file.hpp"
-#include "libmpm/files/result_file.hpp"
 #include "specimen/file/specimen_file.hpp"
 
 namespace app {
@@ -50,29 +51,52 @@ void go_quiet() {
   ::_exit(0);
 }
 
-int status_of(pid_t process) {
+struct Ended {
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) return 0;
-  return status;
+  double seconds = 0;  ///< of computing
+};
+
+Ended ended(pid_t process) {
+  Ended how;
+  rusage used{};
+  while (::wait4(process, &how.status, 0, &used) < 0)
+    if (errno != EINTR) return {};
+  for (const timeval& part : {used.ru_utime, used.ru_stime})
+    how.seconds += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
+  return how;
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw Rejected(Exit::data, path, "is damaged: " + why, "", "take a copy of it, or make it again");
 }
 
+/// In a process of its own.   @param reserve  of memory beyond the limit of the program [bytes].
+Ended trial(const std::function<void()>& read, unsigned seconds, rlim_t reserve) {
+  const pid_t process = ::fork();
+  if (process < 0) return {};
+  if (process > 0) return ended(process);
+  struct rlimit memory {};
+  if (::getrlimit(RLIMIT_DATA, &memory) == 0 && memory.rlim_cur < memory.rlim_max) {
+    memory.rlim_cur = std::min(memory.rlim_max, memory.rlim_cur + reserve);
+    (void)::setrlimit(RLIMIT_DATA, &memory);
+  }
+  read_and_vanish(read, seconds);
+}
+
 }  // namespace
 
 void try_reading(const std::string& path, const std::function<void()>& read, unsigned seconds) {
-  const pid_t process = ::fork();
-  if (process < 0) return;
-  if (process == 0) read_and_vanish(read, seconds > 0 ? seconds : seconds_for(path));
-  const int status = status_of(process);
+  const unsigned most = seconds > 0 ? seconds : seconds_for(path);
+  const auto [status, taken] = trial(read, most, 0);
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
     return;  // meant for the program, which has it too
+  if (signal == SIGKILL && taken < 0.9 * most) throw std::bad_alloc();  // the system ends what takes too much
   if (signal == SIGXCPU || signal == SIGKILL) refuse(path, "HDF5 comes to no end with it");
-  if (status != 0) refuse(path, "HDF5 fails on it");
+  if (status == 0) return;
+  // Without memory HDF5 fails on good files too.
+  if (trial(read, most, rlim_t{1} << 28U).status == 0) throw std::bad_alloc();
+  refuse(path, "HDF5 fails on it");
 }
 
 namespace {
@@ -109,8 +133,12 @@ mpm::Result read_result(const std::string& path) { return tried(path, mpm::read_
 
 std::string read_scene_text(const std::string& path) { return tried(path, mpm::read_scene_text); }
 
+mpm::RunTexts read_run_texts(const std::string& path) { return tried(path, mpm::read_run_texts); }
+
 mpm::Frame read_frame(const std::string& path) { return tried(path, mpm::read_frame); }
 
 mpm::Frame read_frame_heading(const std::string& path) { return tried(path, mpm::read_frame_heading); }
+
+std::vector<mpm::TableColumn> read_table(const std::string& path) { return tried(path, mpm::read_table); }
 
 }  // namespace app

@@ -4,7 +4,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "libmpm/files/result_file.hpp"
+#include "libmpm/files/table_file.hpp"
 #include "libmpm/scene/result.hpp"
 #include "libmpm/solver/frame.hpp"
 #include "specimen/body/specimen.hpp"
@@ -35,7 +38,9 @@ void take_hdf5_turns_by(std::function<Hdf5Turn()> take);
 [[nodiscard]] specimen::Specimen read_specimen(const std::string& path);
 [[nodiscard]] mpm::Result read_result(const std::string& path);
 [[nodiscard]] std::string read_scene_text(const std::string& path);
+[[nodiscard]] mpm::RunTexts read_run_texts(const std::string& path);
 [[nodiscard]] mpm::Frame read_frame(const std::string& path);
 [[nodiscard]] mpm::Frame read_frame_heading(const std::string& path);
+[[nodiscard]] std::vector<mpm::TableColumn> read_table(const std::string& path);
 
 }  // namespace app

@@ -101,9 +101,11 @@ void write_field_data(hid_t group, const Frame& frame) {
 
 }  // namespace
 
-void write_frame(const std::string& path, const Frame& frame, const Scene& scene) try {
+void write_frame(const std::string& path, const Frame& frame, const Scene& scene,
+                 const std::string& run) try {
   const Quiet quiet;
   const Handle file = memory_file();
+  if (!run.empty()) write_text(file, "run", run);
   const Handle root = create_group(file, "VTKHDF");
   write_version(root);
   write_type(root, "UnstructuredGrid");

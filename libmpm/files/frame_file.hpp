@@ -21,6 +21,7 @@
 ///   /VTKHDF/FieldData        shape (1): TimeValue [s], strain, and as int64 step and history_row
 ///     TimeValue and strain belong to the points. A row of result.h5 has those at the beginning of a step:
 ///     with small strain they are the same; with moving points the frame is at the end of that step.
+///   attribute run of the file, where there is one: text from the caller
 #pragma once
 
 #include <string>
@@ -31,13 +32,15 @@ namespace mpm {
 
 /// Write a frame to a temporary name, flush, close and rename it. The same frame gives the same bytes.
 /// @param scene  the scene of the run; it names the phases.   @throws FileError.
-void write_frame(const std::string& path, const Frame& frame, const Scene& scene);
+/// @param run  by which the caller knows the run; empty = nothing.
+void write_frame(const std::string& path, const Frame& frame, const Scene& scene,
+                 const std::string& run = {});
 
 /// Read a frame. Values of points have the 32-bit precision of the file.
 /// @throws FileError naming the file and the fault.
 [[nodiscard]] Frame read_frame(const std::string& path);
 
-/// Read step, time, strain and row of a frame without its points, to choose among many frames.
+/// Read step, time, strain, row and run of a frame without its points, to choose among many frames.
 /// @throws FileError as read_frame().
 [[nodiscard]] Frame read_frame_heading(const std::string& path);
 

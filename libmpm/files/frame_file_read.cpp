@@ -14,9 +14,9 @@ using namespace hdf5;
 constexpr hsize_t most_points = 200'000'000;
 
 template <class T>
-T read_value(hid_t group, const char* name) {
+T read_value(hid_t group, const char* name, const char* unit = "1") {
   T value{};
-  read_values<T>(group, name, 1, [&](const std::vector<hsize_t>& extent) {
+  read_values<T>(group, name, 1, unit, [&](const std::vector<hsize_t>& extent) {
     require(extent[0] == 1, std::string("dataset ") + name + " must hold one value");
     return &value;
   });
@@ -25,9 +25,9 @@ T read_value(hid_t group, const char* name) {
 
 /// Gives set(point, row) the numbers of each point, `width` of them.
 template <class T, std::size_t width, class Set>
-void read_table(hid_t group, const char* name, Frame& frame, const Set& set) {
+void read_table(hid_t group, const char* name, const char* unit, Frame& frame, const Set& set) {
   std::vector<T> values;
-  read_values<T>(group, name, width == 1 ? 1 : 2, [&](const std::vector<hsize_t>& extent) {
+  read_values<T>(group, name, width == 1 ? 1 : 2, unit, [&](const std::vector<hsize_t>& extent) {
     require(extent[0] == frame.points.size() && (width == 1 || extent.back() == width),
             std::string("dataset ") + name + " has a wrong shape");
     values.resize(width * frame.points.size());
@@ -43,7 +43,7 @@ void read_table(hid_t group, const char* name, Frame& frame, const Set& set) {
 /// Their number follows from the data that are there, not from NumberOfPoints.
 void read_ids(hid_t group, Frame& frame) {
   std::vector<std::int32_t> ids;
-  read_values<std::int32_t>(group, "id", 1, [&](const std::vector<hsize_t>& extent) {
+  read_values<std::int32_t>(group, "id", 1, "1", [&](const std::vector<hsize_t>& extent) {
     require(extent[0] <= most_points, "dataset id has more than " + std::to_string(most_points) + " values");
     ids.resize(extent[0]);
     return ids.data();
@@ -58,32 +58,32 @@ void read_ids(hid_t group, Frame& frame) {
 }
 
 void read_motion(hid_t root, hid_t data, Frame& frame) {
-  read_table<float, 3>(root, "Points", frame, [](FramePoint& point, const auto& row) {
+  read_table<float, 3>(root, "Points", "m", frame, [](FramePoint& point, const auto& row) {
     point.x = row[0];
     point.y = row[1];
   });
-  read_table<float, 3>(data, "displacement", frame, [](FramePoint& point, const auto& row) {
+  read_table<float, 3>(data, "displacement", "m", frame, [](FramePoint& point, const auto& row) {
     point.ux = row[0];
     point.uy = row[1];
   });
-  read_table<float, 3>(data, "velocity", frame, [](FramePoint& point, const auto& row) {
+  read_table<float, 3>(data, "velocity", "m/s", frame, [](FramePoint& point, const auto& row) {
     point.vx = row[0];
     point.vy = row[1];
   });
 }
 
 void read_state(hid_t data, Frame& frame) {
-  read_table<float, 9>(data, "stress", frame, [](FramePoint& point, const auto& row) {
+  read_table<float, 9>(data, "stress", "Pa", frame, [](FramePoint& point, const auto& row) {
     point.sxx = row[0];
     point.sxy = row[1];
     point.syy = row[4];
     point.szz = row[8];
   });
-  read_table<float, 1>(data, "damage", frame, [](FramePoint& point, const auto& row) {
+  read_table<float, 1>(data, "damage", "1", frame, [](FramePoint& point, const auto& row) {
     require(row[0] >= 0 && row[0] <= 1, "dataset damage holds a value that does not lie in [0, 1]");
     point.damage = row[0];
   });
-  read_table<std::uint8_t, 1>(data, "phase", frame, [](FramePoint& point, const auto& row) {
+  read_table<std::uint8_t, 1>(data, "phase", "1", frame, [](FramePoint& point, const auto& row) {
     point.phase = static_cast<std::uint8_t>(row[0]);
   });
 }
@@ -109,7 +109,7 @@ Handle open_root(hid_t file) {
 Frame read_heading(hid_t root) {
   const Handle field = open_group(root, "FieldData");
   Frame frame;
-  frame.time = read_value<double>(field, "TimeValue");
+  frame.time = read_value<double>(field, "TimeValue", "s");
   frame.strain = read_value<double>(field, "strain");
   frame.step = read_value<std::int64_t>(field, "step");
   frame.row = read_value<std::int64_t>(field, "history_row");
@@ -121,7 +121,9 @@ template <class Read>
 Frame read_from(const std::string& path, const Read& read) try {
   const Quiet quiet;
   const Handle file = open_file(path);
-  return read(open_root(file));
+  Frame frame = read(open_root(file));
+  if (H5Aexists(file, "run") > 0) frame.run = read_text(file, "run");
+  return frame;
 } catch (const Fault& fault) {
   throw FileError(path, fault.what(), "must be a frame that mesopix wrote", "run the simulation again");
 }

@@ -5,8 +5,10 @@
 #include <hdf5.h>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace mpm::hdf5 {
@@ -57,8 +59,26 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
+/// Behind the bytes of a file, before their SHA-256. HDF5 cuts it off from a file that it changes, which then
+/// counts as one without a seal.
+inline constexpr std::string_view seal_mark = "\nMPXSEAL";
+
+/// Whether the last call of HDF5 failed for want of memory.
+inline bool lacks_memory() {
+  const auto look = [](unsigned, const H5E_error2_t* entry, void* found) -> herr_t {
+    if (entry->min_num == H5E_NOSPACE || entry->min_num == H5E_CANTALLOC) *static_cast<bool*>(found) = true;
+    return 0;
+  };
+  bool found = false;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look, &found);
+  return found;
+}
+
+/// @throws Fault unless it is met; std::bad_alloc where HDF5 had no memory for it.
 inline void require(bool condition, const std::string& what) {
-  if (!condition) throw Fault(what);
+  if (condition) return;
+  if (lacks_memory()) throw std::bad_alloc();
+  throw Fault(what);
 }
 
 /// How a C++ number lies in memory and in the file.

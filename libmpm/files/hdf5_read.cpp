@@ -10,6 +10,7 @@
 
 #include "libmpm/files/hdf5_handle.hpp"
 #include "libmpm/files/hdf5_version.hpp"
+#include "libmpm/solver/checkpoint.hpp"
 
 namespace mpm::hdf5 {
 namespace {
@@ -83,6 +84,55 @@ class Heaps {
 };
 
 }  // namespace
+
+namespace {
+
+/// A file and the seal at its end.
+class Sealed {
+ public:
+  explicit Sealed(const std::string& path) : file_(path, std::ios::binary | std::ios::ate) {
+    if (!file_.is_open()) return;
+    size_ = static_cast<std::uint64_t>(file_.tellg());
+    constexpr std::size_t length = seal_mark.size() + sha256_bytes;
+    if (size_ < length) return;
+    const std::string end = read(size_ - length, length);
+    if (end.starts_with(seal_mark)) seal_ = end.substr(seal_mark.size());
+  }
+
+  bool fits() {
+    if (seal_.empty()) return !has_more_than_hdf5();
+    Sha256 digest;
+    const std::uint64_t end = size_ - seal_mark.size() - seal_.size();
+    constexpr std::uint64_t step = std::uint64_t{1} << 20U;
+    for (std::uint64_t at = 0; at < end; at += step) digest.add(read(at, std::min(step, end - at)));
+    return digest.digest() == seal_;
+  }
+
+ private:
+  std::string read(std::uint64_t place, std::uint64_t count) {
+    std::string bytes(static_cast<std::size_t>(count), '\0');
+    file_.seekg(static_cast<std::streamoff>(place));
+    if (!file_.read(bytes.data(), static_cast<std::streamsize>(count))) bytes.clear();
+    return bytes;
+  }
+
+  /// A seal whose mark is damaged: HDF5 itself leaves nothing behind the end that a file of the kind that we
+  /// write names (superblock version 0: at byte 40).
+  bool has_more_than_hdf5() {
+    if (size_ < 48) return false;
+    const std::string superblock = read(0, 48);
+    return superblock.starts_with(std::string_view("\x89HDF\r\n\x1a\n\0", 9)) &&
+           number(&superblock[24], 8) == 0 && number(&superblock[40], 8) < size_;
+  }
+
+  std::ifstream file_;
+  std::uint64_t size_ = 0;
+  std::string seal_;
+};
+
+}  // namespace
+
+bool seal_fits(const std::string& path) { return Sealed(path).fits(); }
 
 bool heaps_are_sound(const std::string& path) { return Heaps(path).are_sound(); }
 
@@ -189,6 +239,7 @@ void require_stored(const Dataset& dataset, std::size_t value_size) {
 
 Handle open_file(const std::string& path) {
   require(std::filesystem::is_regular_file(path), "there is no such file");
+  require(seal_fits(path), "is damaged: its digest does not match its bytes");
   require(heaps_are_sound(path), "is damaged: lengths in a heap of its texts are wrong");
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
               "is not an HDF5 file, or is cut short or damaged");
@@ -241,6 +292,12 @@ Dataset open_dataset(hid_t parent, const std::string& name, std::size_t rank, H5
   dataset.extent = extent_of(dataset.id, rank, words);
   require_stored(dataset, size);
   return dataset;
+}
+
+void require_unit(const Dataset& dataset, const std::string& unit) {
+  if (H5Aexists(dataset.id, "unit") <= 0) return;
+  const std::string named = read_text(dataset.id, "unit");
+  require(named == unit, dataset.words + " is in " + named + ", and must be in " + unit);
 }
 
 void read_all(const Dataset& dataset, hid_t memory_type, void* values) {

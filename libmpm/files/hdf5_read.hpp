@@ -17,6 +17,10 @@ namespace mpm::hdf5 {
 /// @return true for a file that cannot be read: opening it says why.
 [[nodiscard]] bool heaps_are_sound(const std::string& path);
 
+/// Whether the seal of a file fits its bytes: bits that were flipped in the bookkeeping of HDF5 can empty a
+/// dataset without a word.   @return true for a file that has none, of another program or changed by one.
+[[nodiscard]] bool seal_fits(const std::string& path);
+
 /// @throws Fault if it is not a file, not an HDF5 file, or one on which HDF5 would fail.
 [[nodiscard]] Handle open_file(const std::string& path);
 
@@ -52,10 +56,16 @@ struct Dataset {
 /// All of it, row by row.   @throws Fault when its checksum or its packing is wrong.
 void read_all(const Dataset& dataset, hid_t memory_type, void* values);
 
-/// @param allocate  given the extent, returns where to put the values.
+/// @throws Fault when the dataset names another unit; it need not name any.
+void require_unit(const Dataset& dataset, const std::string& unit);
+
+/// @param unit  as it is written; "1" = dimensionless.   @param allocate  given the extent, returns where to
+/// put the values.
 template <class T, class Allocate>
-void read_values(hid_t parent, const std::string& name, std::size_t rank, Allocate allocate) {
+void read_values(hid_t parent, const std::string& name, std::size_t rank, const std::string& unit,
+                 Allocate allocate) {
   const Dataset dataset = open_dataset(parent, name, rank, Number<T>::kind, sizeof(T));
+  require_unit(dataset, unit);
   T* values = allocate(dataset.extent);
   read_all(dataset, Number<T>::memory(), values);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "libmpm/solver/checkpoint.hpp"
+
 namespace mpm::hdf5 {
 namespace {
 
@@ -71,7 +73,7 @@ std::string image_of(hid_t file) {
   require(size > 0, "cannot be laid out");
   std::string image(static_cast<std::size_t>(size), '\0');
   require(H5Fget_file_image(file, image.data(), image.size()) == size, "cannot be laid out");
-  return image;
+  return image + std::string(seal_mark) + Sha256().add(image).digest();
 }
 
 }  // namespace mpm::hdf5

@@ -42,7 +42,7 @@ void write_values(hid_t parent, const std::string& name, const std::vector<hsize
 
 /// A file in memory: then a full disk affects only one plain write, not HDF5.
 [[nodiscard]] Handle memory_file();
-/// Its bytes.
+/// Its bytes, and behind them a seal: a digest of them, which readers check and other programs pass over.
 [[nodiscard]] std::string image_of(hid_t file);
 
 }  // namespace mpm::hdf5

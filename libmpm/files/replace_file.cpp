@@ -19,7 +19,8 @@ namespace {
                   "check that the folder exists, may be written to and has space left");
 }
 
-/// Unique in the folder for as long as this process lives.
+/// Unique in the folder for as long as this process lives; an earlier one of the same number may have left
+/// it.
 std::string temporary_name(const std::string& path) {
   static std::atomic<unsigned> count{0};
   return path + "." + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp";
@@ -40,7 +41,7 @@ class TemporaryFile {
   explicit TemporaryFile(const std::string& path)
       : path_(path),
         name_(temporary_name(path)),
-        descriptor_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+        descriptor_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) fail(path_, errno);
   }
   TemporaryFile(const TemporaryFile&) = delete;

@@ -83,10 +83,13 @@ void write_maps(hid_t file, const Result& result) {
 
 }  // namespace
 
-void write_result(const std::string& path, const Result& result, const std::string& scene_text) try {
+void write_result(const std::string& path, const Result& result, const std::string& scene_text,
+                  const RunTexts& texts) try {
   const Quiet quiet;
   const Handle file = memory_file();
   write_figures(file, result, scene_text);
+  if (!texts.run.empty()) write_text(file, "run", texts.run);
+  if (!texts.remarks.empty()) write_text(file, "remarks", texts.remarks);
   write_history(file, result.history);
   write_maps(file, result);
   replace_file(path, image_of(file));

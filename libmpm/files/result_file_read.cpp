@@ -11,9 +11,9 @@ using namespace hdf5;
 using namespace result_file;
 
 template <class T>
-PixelField<T> read_map(hid_t file, const std::string& name) {
+PixelField<T> read_map(hid_t file, const std::string& name, const char* unit = "1") {
   PixelField<T> map;
-  read_values<T>(file, name, 2, [&](const std::vector<hsize_t>& extent) {
+  read_values<T>(file, name, 2, unit, [&](const std::vector<hsize_t>& extent) {
     map.resize(static_cast<Eigen::Index>(extent[0]), static_cast<Eigen::Index>(extent[1]));
     return map.data();
   });
@@ -24,10 +24,11 @@ template <class T>
 void read_column(hid_t group, const HistoryColumn& column, T HistoryRow::*member,
                  std::vector<HistoryRow>& history) {
   std::vector<T> values;
-  read_values<T>(group, std::string(column.name), 1, [&](const std::vector<hsize_t>& extent) {
-    values.resize(extent[0]);
-    return values.data();
-  });
+  read_values<T>(group, std::string(column.name), 1, std::string(column.unit),
+                 [&](const std::vector<hsize_t>& extent) {
+                   values.resize(extent[0]);
+                   return values.data();
+                 });
   if (&column == &history_columns().front()) history.resize(values.size());
   require(values.size() == history.size(),
           "dataset history/" + std::string(column.name) + " has another length than history/time");
@@ -84,8 +85,8 @@ void read_maps(hid_t file, Result& result) {
             "dataset crush_strain has another shape than failure_strain");
   }
   if (H5Lexists(file, "end_x", H5P_DEFAULT) > 0) {
-    result.end_x = read_map<float>(file, "end_x");
-    result.end_y = read_map<float>(file, "end_y");
+    result.end_x = read_map<float>(file, "end_x", "m");
+    result.end_y = read_map<float>(file, "end_y", "m");
     require(same_shape(result.end_y, result.end_x), "dataset end_y has another shape than end_x");
   }
   if (H5Lexists(file, deformation_names[0], H5P_DEFAULT) <= 0) return;
@@ -123,6 +124,15 @@ Result read_result(const std::string& path) try {
 std::string read_scene_text(const std::string& path) try {
   const Quiet quiet;
   return read_text(open_and_check(path), "scene");
+} catch (const Fault& fault) {
+  throw FileError(path, fault.what(), "must be a result.h5 that mesopix wrote", "run the simulation again");
+}
+
+RunTexts read_run_texts(const std::string& path) try {
+  const Quiet quiet;
+  const Handle file = open_and_check(path);
+  const auto text = [&](const char* name) { return H5Aexists(file, name) > 0 ? read_text(file, name) : ""; };
+  return {text("run"), text("remarks")};
 } catch (const Fault& fault) {
   throw FileError(path, fault.what(), "must be a result.h5 that mesopix wrote", "run the simulation again");
 }

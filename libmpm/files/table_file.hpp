@@ -26,4 +26,7 @@ struct TableColumn {
 /// @pre all columns have the same number of rows; names are unique.   @throws FileError.
 void write_table(const std::string& path, const std::vector<TableColumn>& columns);
 
+/// Read a table, its columns by name.   @throws FileError naming the file and the fault.
+[[nodiscard]] std::vector<TableColumn> read_table(const std::string& path);
+
 }  // namespace mpm

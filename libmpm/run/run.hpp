@@ -116,14 +116,15 @@ class Run {
 
   [[nodiscard]] bool is_checkpoint_due() const {
     const CheckpointWish& wish = hooks_.checkpoints;
-    // The run goes on for a hundred times what the last one took.
-    return wish.sink && wish.every > 0 && seconds_since(last_kept_) >= std::max(wish.every, 100 * cost_);
+    if (!wish.sink || !(wish.every > 0)) return false;
+    const double since = seconds_since(last_kept_);
+    return wish.is_due ? wish.is_due(since) : since >= wish.every;
   }
 
   template <class Solver>
   void keep(const Solver& solver, bool moving, const HistoryRow& row) {
     if (!hooks_.checkpoints.sink) return;
-    const Clock::time_point begin = Clock::now();
+    last_kept_ = Clock::now();  // of the state, however long it takes to keep
     Checkpoint checkpoint;
     checkpoint.precision = scene_.precision;
     checkpoint.moving = moving;
@@ -138,9 +139,7 @@ class Run {
     archive.list(result_.history);
     solver.save(archive);
     checkpoint.state = archive.take();
-    hooks_.checkpoints.sink(checkpoint);
-    cost_ = seconds_since(begin);
-    last_kept_ = Clock::now();
+    hooks_.checkpoints.sink(std::move(checkpoint));
   }
 
   /// All that was recorded but the rows.
@@ -197,7 +196,6 @@ class Run {
   Clock::time_point start_ = Clock::now();
   double wall_time_before_ = 0;  ///< of the parts before this one [s]
   Clock::time_point last_kept_ = start_;
-  double cost_ = 0;  ///< time that the last checkpoint took [s]
   Result result_;
 };
 

@@ -52,15 +52,18 @@ struct Checkpoint {
   std::string state;               ///< state of the solver, without what follows from the scene
 };
 
-/// Called with each checkpoint, which is valid during the call. An exception ends the run.
-using CheckpointSink = std::function<void(const Checkpoint&)>;
+/// Called with each checkpoint, which it may keep. An exception ends the run.
+using CheckpointSink = std::function<void(Checkpoint)>;
 
 /// When a run makes checkpoints.
 struct CheckpointWish {
   CheckpointSink sink;  ///< also called when the observer ends the run; empty = no checkpoints
   /// Wall time between checkpoints [s]; 0 = only when the run is ended. Checkpoints are made at rows of the
-  /// history, and less often if making one takes more than a hundredth of this time.
+  /// history.
   double every = 0;
+  /// Decides instead, at each row, from the wall time since the state of the last one [s]; empty = `every`
+  /// alone.
+  std::function<bool(double since)> is_due = {};
 };
 
 /// SHA-256 of the specimen of a scene (labels, pixel size and extra points), 32 bytes.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
@@ -30,6 +31,7 @@ struct Frame {
   double strain = 0;      ///< platen displacement over height; nominal without platens, as in the history [-]
   std::int64_t row = 0;   ///< last row of Result::history; with moving points it is one step older
   std::vector<FramePoint> points;  ///< by increasing id; points that left through open edges are missing
+  std::string run = {};            ///< of a frame that was read: by which its writer knew the run
 
   friend bool operator==(const Frame&, const Frame&) = default;
 };

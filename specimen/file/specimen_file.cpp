@@ -120,9 +120,7 @@ void write_inclusions(hid_t file, const std::vector<Inclusion>& inclusions) {
                     i.perimeter, i.equivalent_diameter, i.orientation});
   const Handle table = write_dataset(file, "inclusions", hdf5::inclusion_type(true),
                                      hdf5::inclusion_type(false), {rows.size()}, {4096}, rows.data());
-  std::vector<std::string> units = {"-"};
-  for (const hdf5::Column& column : hdf5::inclusion_columns) units.emplace_back(column.unit);
-  write_attribute(table, "units", units);
+  write_attribute(table, "units", hdf5::inclusion_units());
 }
 
 /// Polygons one after the other; `polygon` tells the points of an element of the list.

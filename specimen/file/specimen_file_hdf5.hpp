@@ -14,8 +14,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "specimen/body/error.hpp"
 
@@ -59,9 +61,21 @@ inline std::string reason() {
   return text;
 }
 
-/// @throws Error about `object` with the reason of HDF5 if a call failed.
+/// Whether the last call failed for want of memory.
+inline bool lacks_memory() {
+  const auto look = [](unsigned, const H5E_error2_t* entry, void* found) -> herr_t {
+    if (entry->min_num == H5E_NOSPACE || entry->min_num == H5E_CANTALLOC) *static_cast<bool*>(found) = true;
+    return 0;
+  };
+  bool found = false;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look, &found);
+  return found;
+}
+
+/// @throws Error about `object` with the reason of HDF5 if a call failed, std::bad_alloc for want of memory.
 template <class Result>
 Result require(Result result, const std::string& object) {
+  if (result < 0 && lacks_memory()) throw std::bad_alloc();
   if (result < 0)
     throw Error(object, reason(), {},
                 "the file is damaged or cut short: take a copy of it, or make the specimen again");
@@ -170,6 +184,12 @@ inline constexpr std::array<Column, 9> inclusion_columns = {{
     {"equivalent_diameter", "m", offsetof(InclusionRow, equivalent_diameter)},
     {"orientation", "rad", offsetof(InclusionRow, orientation)},
 }};
+
+inline std::vector<std::string> inclusion_units() {
+  std::vector<std::string> units = {"-"};  // of the id
+  for (const Column& column : inclusion_columns) units.emplace_back(column.unit);
+  return units;
+}
 
 /// Table type, laid out as InclusionRow in memory; packed, without the padding, in the file.
 inline Handle inclusion_type(bool in_file) {

@@ -28,6 +28,7 @@ LabelledMask read_mask(hid_t file) {
   mask.labels.cols = static_cast<int>(labels.extent[1]);
   mask.labels.data = hdf5::read_values<std::uint8_t>(labels, memory_type<std::uint8_t>());
   mask.pixel_size = hdf5::read_attribute<double>(file, "/", "pixel_size");
+  hdf5::require_unit(file, "/", "pixel_size_unit", "m");
   mask.phases = hdf5::read_texts(file, "/phases", 256);
   return mask;
 }
@@ -41,6 +42,7 @@ std::vector<std::vector<Point>> read_polygons(hid_t file, const std::string& gro
   const Dataset dataset = hdf5::open_dataset(file, group + "/points", file_type<double>(), 2, 2 * max_points);
   if (dataset.extent[1] != 2)
     throw Error(dataset.name, hdf5::text_of(dataset.extent) + " values", "must be rows of x and y");
+  hdf5::require_unit(dataset.id, dataset.name, "unit", "m");
   if (offsets.front() != 0 || !std::is_sorted(offsets.begin(), offsets.end()) ||
       offsets.back() != static_cast<std::int64_t>(dataset.extent[0]))
     throw Error(name, "out of order", "must rise from 0 to the number of points");
@@ -58,6 +60,7 @@ std::vector<std::vector<Point>> read_polygons(hid_t file, const std::string& gro
 std::vector<Inclusion> read_inclusions(hid_t file) {
   const Dataset table =
       hdf5::open_dataset(file, "/inclusions", hdf5::inclusion_type(true), 1, max_inclusions);
+  hdf5::require_units(table, "units", hdf5::inclusion_units());
   const auto rows = hdf5::read_values<hdf5::InclusionRow>(table, hdf5::inclusion_type(false));
   auto contours = read_polygons(file, "/contours", rows.size());
   std::vector<Inclusion> inclusions;
@@ -82,6 +85,7 @@ std::vector<Ring> read_rings(hid_t file) {
 ItzOptions read_itz(hid_t file) {
   const Handle group = hdf5::open_object(file, "/rings", H5I_GROUP);
   const std::string mode = hdf5::read_text_attribute(group, "/rings", "mode");
+  hdf5::require_unit(group, "/rings", "thickness_unit", "m");
   const auto known = std::find(hdf5::itz_modes.begin(), hdf5::itz_modes.end(), mode);
   if (known == hdf5::itz_modes.end())
     throw Error("/rings@mode", "'" + mode + "'", "must be ring, points or none");

@@ -257,4 +257,47 @@ std::string read_text_attribute(hid_t object, const std::string& owner, const ch
   return up_to_zero(bytes.data(), bytes.size());
 }
 
+namespace {
+
+/// As other programs write texts.
+std::string read_variable_text(hid_t attribute, hid_t type, const std::string& name) {
+  char* value = nullptr;
+  require(H5Aread(attribute, type, &value), name);
+  std::string text = value == nullptr ? "" : value;
+  H5free_memory(value);
+  return text;
+}
+
+}  // namespace
+
+void require_unit(hid_t object, const std::string& owner, const char* name, const std::string& unit) {
+  const std::string full = owner + "@" + name;
+  if (require(H5Aexists(object, name), full) == 0) return;
+  const Handle attribute = open_attribute(object, full, name);
+  const Handle type(H5Aget_type(attribute), full);
+  const bool varies = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
+  const std::string named =
+      varies ? read_variable_text(attribute, type, full) : read_text_attribute(object, owner, name);
+  if (named != unit)
+    throw Error(full, "'" + named + "'", "must be " + unit,
+                "convert the values, or write the specimen again");
+}
+
+void require_units(const Dataset& table, const char* name, const std::vector<std::string>& units) {
+  const std::string full = table.name + "@" + name;
+  if (require(H5Aexists(table.id, name), full) == 0) return;
+  const Handle attribute(H5Aopen(table.id, name, H5P_DEFAULT), full);
+  const Handle space(H5Aget_space(attribute), full);
+  const Handle type(H5Aget_type(attribute), full);
+  const std::size_t length = text_length(type, full);
+  if (H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(units.size()))
+    throw Error(full, "has another number of units", "must be " + to_string(units.size()));
+  std::vector<char> bytes(length * units.size());
+  require(H5Aread(attribute, type, bytes.data()), full);
+  for (std::size_t i = 0; i < units.size(); ++i)
+    if (const std::string named = up_to_zero(&bytes[i * length], length); named != units[i])
+      throw Error(full, "'" + named + "' of column " + to_string(i), "must be " + units[i],
+                  "convert the values, or write the specimen again");
+}
+
 }  // namespace specimen::hdf5

@@ -67,4 +67,10 @@ template <class T>
 
 [[nodiscard]] std::string read_text_attribute(hid_t object, const std::string& owner, const char* name);
 
+/// @throws Error when the attribute names another unit; it need not be there, nor be as mesopix writes texts.
+void require_unit(hid_t object, const std::string& owner, const char* name, const std::string& unit);
+
+/// The same of an attribute with a unit for each column, as texts of fixed length.
+void require_units(const Dataset& table, const char* name, const std::vector<std::string>& units);
+
 }  // namespace specimen::hdf5

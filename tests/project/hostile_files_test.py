@@ -170,6 +170,9 @@ def archives():
     result = bytearray(Path("run/result.h5").read_bytes())
     result[chunk.byte_offset + chunk.size // 2] ^= 1
     Path("run/result.h5").write_bytes(result)
+    refused(["inspect", "run"], 74, "is damaged: its digest does not match its bytes")
+    refused(["plot", "run", "-o", "damage.png"], 74, "is damaged: its digest does not match its bytes")
+    Path("run/result.h5").write_bytes(result[:-40])  # as another program would have written it
     refused(["inspect", "run"], 65, "dataset failure_strain is damaged")
     refused(["plot", "run", "-o", "damage.png"], 74, "dataset failure_strain is damaged")
 

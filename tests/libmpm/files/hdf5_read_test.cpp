@@ -4,15 +4,20 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <functional>
 
+#include "libmpm/files/hdf5_write.hpp"
+#include "libmpm/files/table_file.hpp"
+#include "tests/damaged.hpp"
 #include "tests/foreign_filter.hpp"
 #include "tests/libmpm/sample_frames.hpp"
 #include "tests/libmpm/sample_results.hpp"
+#include "tests/specimen/temporary_folder.hpp"
 
 namespace hdf5_read_test {
 
@@ -181,12 +186,13 @@ TEST_F(Hdf5Read, TakesNoZerosForChunksThatAreNotThere) {
               HasSubstr("dataset damage lacks some of its data"));
 }
 
-TEST_F(Hdf5Read, NoticesAFlippedBit) {
+TEST_F(Hdf5Read, NoticesAFlippedBitOfADataset) {
   mpm::Frame frame = odd_frame();
   for (std::uint32_t i = 10; i < 3000; ++i)  // fills the greater part of the file
     frame.points.push_back(
         {.id = i, .sxx = 1e6 * std::sin(i), .syy = 1e6 * std::sin(7 * i), .sxy = 1e6 * std::sin(3 * i)});
   mpm::write_frame(path_, frame, scene_);
+  test::write_text(path_, test::unsealed(test::read_text(path_)));
   const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t stress = H5Dopen2(file, "VTKHDF/PointData/stress", H5P_DEFAULT);
   const hid_t space = H5Dget_space(stress);
@@ -206,6 +212,20 @@ TEST_F(Hdf5Read, NoticesAFlippedBit) {
   EXPECT_THAT(complaint(), HasSubstr("dataset stress is damaged"));
 }
 
+TEST_F(Hdf5Read, RefusesOtherUnits) {
+  const auto with_unit = [](const char* text) {
+    return [text](hid_t f) {
+      const hid_t dataset = H5Dopen2(f, "VTKHDF/PointData/stress", H5P_DEFAULT);
+      H5Adelete(dataset, "unit");
+      if (*text != '\0') mpm::hdf5::write_text(dataset, "unit", text);
+      H5Dclose(dataset);
+    };
+  };
+  EXPECT_THAT(verdict(with_unit("MPa")), HasSubstr("dataset stress is in MPa, and must be in Pa"));
+  EXPECT_EQ(verdict(with_unit("Pa")), "nothing");
+  EXPECT_EQ(verdict(with_unit("")), "nothing") << "as it need not name any";
+}
+
 // The heap of the texts in a result file, with lengths that HDF5 itself would follow anywhere.
 
 /// Writes a number over bytes.
@@ -219,7 +239,7 @@ class Hdf5Heap : public samples::ResultFileTest {
   void SetUp() override {
     ResultFileTest::SetUp();
     mpm::write_result(path_, samples::odd_result(), "[loading]\n");
-    good_ = bytes_of(path_);
+    good_ = test::unsealed(bytes_of(path_));
     heap_ = good_.find("GCOL");
     ASSERT_NE(heap_, std::string::npos);
   }
@@ -273,7 +293,6 @@ TEST_F(Hdf5Heap, LargerThanItsFileIsLeftToHdf5WhichRefusesIt) {
 TEST_F(Hdf5Heap, ThatIsNoneIsNoFault) {
   hold(good_ + std::string("GCOL\1 such letters in the data", 30) + "GCOL\1");
   EXPECT_TRUE(heaps_are_sound(path_));
-  EXPECT_EQ(complaint(), "nothing");
 }
 
 /// To go through each of them to its end would take hours.
@@ -296,6 +315,67 @@ TEST_F(Hdf5Heap, OverOthersIsRefused) {
 
 TEST_F(Hdf5Heap, OfAFileThatIsNotThereIsNoMatterOfTheHeap) {
   EXPECT_TRUE(heaps_are_sound(folder_ / "none.h5"));
+}
+
+// Files with one bit turned over, anywhere.
+
+class Seal : public samples::ResultFileTest {
+ protected:
+  /// How many of so many damaged copies of the file are read all the same.
+  template <class Read>
+  int taken(Read read, int count = 2000) const {
+    int all = 0;
+    test::flip_random_bits(bytes_of(path_), count, [&](const std::string& bytes) {
+      test::write_text(path_, bytes);
+      try {
+        read(path_);
+        ++all;
+      } catch (const mpm::FileError& error) {
+        EXPECT_EQ(error.field, path_) << "the file is named";
+      }
+    });
+    return all;
+  }
+};
+
+TEST_F(Seal, ShowsEveryFlippedBitOfAResult) {
+  mpm::write_result(path_, samples::odd_result(), "[loading]\n", {"digest", "{}"});
+  EXPECT_NO_THROW((void)mpm::read_result(path_));
+  EXPECT_EQ(taken([](const std::string& path) { (void)mpm::read_result(path); }), 0);
+}
+
+TEST_F(Seal, ShowsEveryFlippedBitOfAFrame) {
+  mpm::write_frame(path_, samples::odd_frame(), samples::mortar_block(2, 2), "digest");
+  EXPECT_EQ(mpm::read_frame(path_).run, "digest");
+  EXPECT_EQ(taken([](const std::string& path) { (void)mpm::read_frame(path); }), 0);
+  EXPECT_EQ(taken([](const std::string& path) { (void)mpm::read_frame_heading(path); }, 100), 0);
+}
+
+TEST_F(Seal, ShowsEveryFlippedBitOfATable) {
+  mpm::write_table(path_, {{"seed", "1", "of the random numbers", std::vector<std::int64_t>{7, 8}},
+                           {"peak", "Pa", "of the stress", std::vector<double>{1e6 / 3, 2e6}},
+                           {"state", "1", "done or failed", std::vector<std::string>{"done", "failed"}}});
+  EXPECT_NO_THROW((void)mpm::read_table(path_));
+  EXPECT_EQ(taken([](const std::string& path) { (void)mpm::read_table(path); }), 0);
+}
+
+/// The sectors of a disk go by 512 bytes or more.
+TEST_F(Seal, ShowsALostEnd) {
+  mpm::write_result(path_, samples::odd_result(), "[loading]\n");
+  std::string bytes = bytes_of(path_);
+  std::fill(bytes.end() - 512, bytes.end(), '\0');
+  test::write_text(path_, bytes);
+  EXPECT_THAT(complaint(), HasSubstr("is damaged: its digest does not match its bytes"));
+}
+
+TEST_F(Seal, IsMissingWhereAnotherProgramHasChangedTheFile) {
+  mpm::write_result(path_, samples::odd_result(), "[loading]\n");
+  damage([](hid_t file) {
+    const hid_t space = H5Screate(H5S_SCALAR);
+    H5Aclose(H5Acreate2(file, "note", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT));
+    H5Sclose(space);
+  });
+  EXPECT_EQ(complaint(), "nothing");
 }
 
 }  // namespace hdf5_read_test

@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "tests/damaged.hpp"
 #include "tests/libmpm/sample_results.hpp"
 
 namespace result_file_read_test {
@@ -142,7 +143,7 @@ TEST_F(ResultFileRead, NoticesAFlippedBitInAMap) {
   result.failure_strain = mpm::PixelField<float>::Random(400, 400);  // fills the greater part of the file
   result.failure_mode.setZero(400, 400);
   mpm::write_result(path_, result, "");
-  std::string bytes = bytes_of(path_);
+  std::string bytes = test::unsealed(bytes_of(path_));
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   std::ofstream(path_, std::ios::binary) << bytes;
   EXPECT_THAT(complaint(), HasSubstr("dataset failure_strain is damaged"));

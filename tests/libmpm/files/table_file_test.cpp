@@ -44,6 +44,22 @@ TEST(TableFile, HoldsItsColumns) {
             longest);
 }
 
+TEST(TableFile, IsReadAsItWasWritten) {
+  const test::TemporaryFolder folder;
+  mpm::write_table(folder / "t.h5", columns);
+  const std::vector<mpm::TableColumn> read = mpm::read_table(folder / "t.h5");
+  ASSERT_EQ(read.size(), columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {  // which are in the order of their names
+    EXPECT_EQ(read[i].name, columns[i].name);
+    EXPECT_EQ(read[i].unit, columns[i].unit);
+    EXPECT_EQ(read[i].meaning, columns[i].meaning);
+    EXPECT_EQ(read[i].values, columns[i].values);
+  }
+  test::write_text(folder / "no.h5", "no table");
+  EXPECT_THROW((void)mpm::read_table(folder / "no.h5"), mpm::FileError);
+  EXPECT_THROW((void)mpm::read_table(folder / "none.h5"), mpm::FileError);
+}
+
 TEST(TableFile, TheSameTableGivesTheSameBytes) {
   const test::TemporaryFolder folder;
   mpm::write_table(folder / "a.h5", columns);

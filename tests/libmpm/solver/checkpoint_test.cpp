@@ -185,7 +185,7 @@ TEST(Checkpoint, CountsTheTimeOfAllParts) {
   EXPECT_LT(rest.wall_time, 1100);
 }
 
-TEST(Checkpoint, ComesInTimeAndNotAtTheCostOfTheRun) {
+TEST(Checkpoint, ComesInTimeHoweverLongTheLastOneTook) {
   const Scene scene = samples::kinds::pulled_concrete();
   const auto count = [&](double every, double pause) {
     int kept = 0;
@@ -204,7 +204,7 @@ TEST(Checkpoint, ComesInTimeAndNotAtTheCostOfTheRun) {
   EXPECT_EQ(count(0, 0), 0) << "on the way only where that is asked for";
   EXPECT_EQ(count(1000, 0), 0);
   EXPECT_GT(count(1e-9, 0), 0);
-  EXPECT_EQ(count(1e-9, 0.05), 1) << "the next one would be due after a hundred times the 50 ms that it took";
+  EXPECT_GT(count(1e-9, 0.01), 3) << "one that was slow does not end those that follow";
 }
 
 TEST(Checkpoint, ChangesNothingInTheRun) {

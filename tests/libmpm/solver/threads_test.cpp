@@ -1,7 +1,11 @@
 #include "libmpm/solver/threads.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <sstream>
@@ -87,6 +91,37 @@ TEST(Team, DoesEveryPartOnce) {
         ASSERT_EQ(done[static_cast<std::size_t>(part)], expected[part]) << round;
     }
   }
+}
+
+/// How many threads a team of six has where its user may have `most` tasks; -1 = a part was not done, -2 = it
+/// never ended. A process of its own tells, since it cannot take the limit back.
+int threads_allowed(rlim_t most) {
+  const pid_t process = ::fork();
+  if (process == 0) {
+    ::alarm(20);
+    if (::getuid() == 0 && ::setuid(static_cast<uid_t>(61'000 + most)) != 0) ::_exit(99);
+    const rlimit limit{most, most};
+    ::setrlimit(RLIMIT_NPROC, &limit);
+    mpm::Team team(6);
+    std::array<int, 6> done{};
+    for (int round = 0; round < 50; ++round)
+      team.share(team.threads(), [&](int part) { ++done[static_cast<std::size_t>(part)]; });
+    for (int part = 0; part < team.threads(); ++part)
+      if (done[static_cast<std::size_t>(part)] != 50) ::_exit(98);
+    ::_exit(team.threads() + team.missing() == 6 ? team.threads() : 97);
+  }
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  if (!WIFEXITED(status)) return -2;
+  return WEXITSTATUS(status) > 90 ? -1 : WEXITSTATUS(status);
+}
+
+TEST(Team, IsAsLargeAsTheSystemLetsIt) {
+  EXPECT_EQ(threads_allowed(1), 1);
+  if (::getuid() != 0) return;  // only root can become a user who has no other tasks
+  EXPECT_EQ(threads_allowed(2), 2);
+  EXPECT_EQ(threads_allowed(4), 4);
+  EXPECT_EQ(threads_allowed(9), 6);
 }
 
 }  // namespace threads_test

@@ -6,8 +6,10 @@
 #include <hdf5.h>
 
 #include <array>
+#include <cstring>
 #include <limits>
 
+#include "tests/damaged.hpp"
 #include "tests/specimen/changed_file.hpp"
 
 namespace specimen_file_read_test {
@@ -39,12 +41,50 @@ TEST_F(SpecimenFileRead, NamesAFileThatIsNone) {
                 ": is not an HDF5 file; must be a specimen; make one from a picture with: mesopix convert");
 }
 
+/// Its bookkeeping has checksums, and so have its values.
+TEST_F(SpecimenFileRead, ShowsEveryFlippedBit) {
+  int refused = 0;
+  test::flip_random_bits(test::read_text(path), 2000, [&](const std::string& bytes) {
+    test::write_text(path, bytes);
+    try {
+      test::expect_equal(read_specimen(path), test::sample_specimen());
+    } catch (const specimen::Error&) {
+      ++refused;
+    }
+  });
+  EXPECT_GT(refused, 500);
+}
+
 TEST_F(SpecimenFileRead, RefusesAnotherHdf5File) {
   EXPECT_EQ(verdict([](hid_t f) { H5Adelete(f, "format"); }),
             "/@format: is not a mesopix specimen; must be a file that mesopix wrote; make one with: mesopix "
             "generate, or mesopix convert");
   EXPECT_EQ(verdict([](hid_t f) { set_attribute(f, "/", "format_version", H5T_STD_I32LE, 2); }),
             "/@format_version: 2; must be 1; use the version of mesopix that wrote it");
+}
+
+TEST_F(SpecimenFileRead, RefusesOtherUnits) {
+  const auto set_text = [](hid_t file, const char* object, const char* name, const char* text, bool varies) {
+    H5Adelete_by_name(file, object, name, H5P_DEFAULT);
+    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+    H5Tset_size(type, varies ? H5T_VARIABLE : std::strlen(text));
+    const hid_t attribute =
+        H5Acreate_by_name(file, object, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, type, varies ? static_cast<const void*>(&text) : text);
+    H5Aclose(attribute);
+    H5Sclose(space);
+    H5Tclose(type);
+  };
+  for (const bool varies : {false, true}) {
+    EXPECT_EQ(verdict([&](hid_t f) { set_text(f, "/", "pixel_size_unit", "mm", varies); }),
+              "/@pixel_size_unit: 'mm'; must be m; convert the values, or write the specimen again");
+    EXPECT_EQ(verdict([&](hid_t f) { set_text(f, "/", "pixel_size_unit", "m", varies); }), "was read");
+    EXPECT_THAT(verdict([&](hid_t f) { set_text(f, "/contours/points", "unit", "px", varies); }),
+                StartsWith("/contours/points@unit: 'px'; must be m"));
+    EXPECT_THAT(verdict([&](hid_t f) { set_text(f, "/rings", "thickness_unit", "um", varies); }),
+                StartsWith("/rings@thickness_unit: 'um'; must be m"));
+  }
+  EXPECT_EQ(verdict([](hid_t f) { H5Adelete(f, "pixel_size_unit"); }), "was read");
 }
 
 TEST_F(SpecimenFileRead, NamesWhatIsMissing) {
