@@ -3,12 +3,23 @@
 #include <fmt/format.h>
 #include <httplib.h>
 #include <openssl/crypto.h>
+#include <poll.h>
 #include <sys/random.h>
+#include <sys/socket.h>
+#include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "apps/text/complaint.hpp"
 
@@ -28,9 +39,12 @@ bool same_secret(std::string_view given, std::string_view secret) {
 namespace {
 
 constexpr const char* host = "127.0.0.1";
-constexpr int threads = 8;          ///< more readers than that wait for each other
-constexpr int patience_s = 2;       ///< with a reader who does not go on
-constexpr int largest_request = 1;  ///< [bytes] of content: there is none to send
+constexpr std::size_t threads = 8;             ///< more readers than that wait for each other
+constexpr std::size_t most_waiting = 32;       ///< connections beyond that are closed
+constexpr int largest_request = 1;             ///< [bytes] of content: there is none to send
+constexpr std::size_t largest_header = 16384;  ///< of a request, all lines of it [bytes]
+constexpr std::chrono::seconds to_ask{2};      ///< for the whole of a request
+constexpr std::chrono::seconds to_take{10};    ///< for the whole of an answer
 
 constexpr const char* too_early =
     "<!DOCTYPE html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"1\">"
@@ -62,10 +76,208 @@ httplib::Headers headers() {
 
 }  // namespace
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A connection that has so much time for a request and for its answer, however the bytes come.
+class TimedStream : public httplib::Stream {
+ public:
+  explicit TimedStream(socket_t socket) : socket_(socket) {}
+
+  [[nodiscard]] bool is_readable() const override { return is_ready(POLLIN, begin_ + to_ask); }
+  [[nodiscard]] bool is_writable() const override { return is_ready(POLLOUT, begin_ + to_ask + to_take); }
+
+  ssize_t read(char* bytes, std::size_t size) override {
+    if (taken_ >= largest_header || !is_readable()) return -1;
+    const ssize_t count = ::recv(socket_, bytes, std::min(size, largest_header - taken_), MSG_DONTWAIT);
+    if (count > 0) taken_ += static_cast<std::size_t>(count);
+    return count;
+  }
+  ssize_t write(const char* bytes, std::size_t size) override {
+    if (!is_writable()) return -1;
+    return ::send(socket_, bytes, size, MSG_DONTWAIT | MSG_NOSIGNAL);
+  }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override {
+    ip = host;
+    port = 0;
+  }
+  void get_local_ip_and_port(std::string& ip, int& port) const override {
+    ip = host;
+    port = 0;
+  }
+  [[nodiscard]] socket_t socket() const override { return socket_; }
+
+  /// Says that a request is too large, where it is; the rest of it is passed over, since what was said is
+  /// lost where a connection is closed over bytes that nobody has read.
+  void refuse_if_too_large() {
+    if (taken_ < largest_header) return;
+    constexpr std::string_view answer =
+        "HTTP/1.1 431 Request Header Fields Too Large\r\nConnection: close\r\nContent-Length: 0\r\n\r\n";
+    (void)write(answer.data(), answer.size());
+    ::shutdown(socket_, SHUT_WR);
+    std::array<char, 4096> rest{};
+    while (is_readable() && ::recv(socket_, rest.data(), rest.size(), MSG_DONTWAIT) > 0) continue;
+  }
+
+ private:
+  [[nodiscard]] bool is_ready(short what, Clock::time_point until) const {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    pollfd asked{socket_, what, 0};
+    return left > 0 && ::poll(&asked, 1, static_cast<int>(left)) > 0;
+  }
+
+  socket_t socket_;
+  Clock::time_point begin_ = Clock::now();
+  std::size_t taken_ = 0;
+};
+
+/// What this thread is given is closed, and not answered.
+thread_local bool refuses = false;
+
+/// The server of httplib with an end to every connection: it gives the time of a socket call only, so that a
+/// request that comes byte by byte would take any time.
+class TimedServer : public httplib::Server {
+ public:
+  /// Of the requests that are not there yet the oldest goes: those that wait behind it may be readers.
+  void make_room() {
+    const std::lock_guard lock(mutex_);
+    if (asking_.empty()) return;
+    ::shutdown(asking_.front(), SHUT_RDWR);
+    asking_.erase(asking_.begin());
+  }
+
+  void close_all() {
+    const std::lock_guard lock(mutex_);
+    closes_ = true;
+    for (const std::vector<socket_t>* all : {&asking_, &answered_})
+      for (const socket_t socket : *all) ::shutdown(socket, SHUT_RDWR);
+  }
+
+ private:
+  bool process_and_close_socket(socket_t socket) override {
+    bool is_answered = false, is_closed = false;
+    if (!refuses && enter(socket)) {
+      TimedStream stream(socket);
+      is_answered = process_request(stream, true, is_closed, [&](httplib::Request&) { is_asked(socket); });
+      if (!is_answered) stream.refuse_if_too_large();
+    }
+    leave(socket);
+    ::shutdown(socket, SHUT_RDWR);
+    ::close(socket);
+    return is_answered;
+  }
+
+  /// @return whether the server goes on.
+  bool enter(socket_t socket) {
+    const std::lock_guard lock(mutex_);
+    asking_.push_back(socket);
+    return !closes_;
+  }
+  void is_asked(socket_t socket) {
+    const std::lock_guard lock(mutex_);
+    std::erase(asking_, socket);
+    answered_.push_back(socket);
+  }
+  void leave(socket_t socket) {
+    const std::lock_guard lock(mutex_);
+    std::erase(asking_, socket);
+    std::erase(answered_, socket);
+  }
+
+  std::mutex mutex_;
+  bool closes_ = false;
+  std::vector<socket_t> asking_, answered_;  ///< in the order in which they came
+};
+
+/// Threads that answer.
+class Readers {
+ public:
+  /// With one thread.   @throws std::system_error where the system gives none.
+  explicit Readers(TimedServer& server) : server_(server) { add_thread(); }
+  ~Readers() { end(); }
+  Readers(const Readers&) = delete;
+  Readers& operator=(const Readers&) = delete;
+
+  /// As many threads as the system gives.
+  void grow() {
+    try {
+      while (threads_.size() < threads) add_thread();
+    } catch (const std::system_error&) {  // those that there are will do
+    }
+  }
+
+  /// @return whether it will be done.
+  bool take(std::function<void()> work) {
+    const std::lock_guard lock(mutex_);
+    if (busy_ == threads_.size()) server_.make_room();
+    if (waiting_.size() >= most_waiting) return false;
+    waiting_.push_back(std::move(work));
+    changed_.notify_one();
+    return true;
+  }
+
+  void end() {
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+    }
+    changed_.notify_all();
+    threads_.clear();
+  }
+
+ private:
+  void add_thread() {
+    const std::lock_guard lock(mutex_);
+    threads_.emplace_back([this] { work(); });
+  }
+
+  void work() {
+    for (std::unique_lock lock(mutex_);;) {
+      changed_.wait(lock, [&] { return !waiting_.empty() || ends_; });
+      if (waiting_.empty()) return;
+      const std::function<void()> next = std::move(waiting_.front());
+      waiting_.pop_front();
+      ++busy_;
+      lock.unlock();
+      next();
+      lock.lock();
+      --busy_;
+    }
+  }
+
+  TimedServer& server_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> waiting_;
+  std::size_t busy_ = 0;
+  bool ends_ = false;
+  std::vector<std::jthread> threads_;
+};
+
+/// What httplib takes: it owns its queue, and makes it where no fault can be told any more.
+class QueueOfReaders : public httplib::TaskQueue {
+ public:
+  explicit QueueOfReaders(Readers& readers) : readers_(readers) {}
+  void enqueue(std::function<void()> work) override {
+    if (readers_.take(work)) return;
+    refuses = true;
+    work();
+    refuses = false;
+  }
+  void shutdown() override { readers_.end(); }
+
+ private:
+  Readers& readers_;
+};
+
+}  // namespace
+
 struct LiveServer::Parts {
   LiveAnswers answers;
   std::string token = random_token();
-  httplib::Server server;
+  TimedServer server;
+  std::optional<Readers> readers;
   int port = 0;
   std::thread listener;
 
@@ -81,14 +293,13 @@ struct LiveServer::Parts {
     using httplib::Request;
     using httplib::Response;
     using Handled = httplib::Server::HandlerResponse;
-    server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+    readers.emplace(server);
+    server.new_task_queue = [this] { return new QueueOfReaders(*readers); };
     server.set_socket_options([](int socket) {  // a port that another process holds is not shared with it
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
     server.set_keep_alive_max_count(1);  // a connection that stays open would hold up the end
-    server.set_read_timeout(patience_s);
-    server.set_write_timeout(patience_s);
     server.set_payload_max_length(largest_request);
     server.set_default_headers(headers());
     server.set_pre_routing_handler([this](const Request& request, Response& response) {
@@ -118,7 +329,7 @@ struct LiveServer::Parts {
   }
 };
 
-LiveServer::LiveServer(int port, LiveAnswers answers) : parts_(std::make_unique<Parts>()) {
+LiveServer::LiveServer(int port, LiveAnswers answers) try : parts_(std::make_unique<Parts>()) {
   parts_->answers = std::move(answers);
   parts_->set_up();
   parts_->port = port > 0 ? (parts_->server.bind_to_port(host, port) ? port : -1)
@@ -129,9 +340,14 @@ LiveServer::LiveServer(int port, LiveAnswers answers) : parts_(std::make_unique<
   parts_->listener = std::thread([parts = parts_.get()] { parts->server.listen_after_bind(); });
   while (!parts_->server.is_running())
     std::this_thread::yield();  // else stop() would come too early to be heard
+  parts_->readers->grow();
+} catch (const std::system_error& error) {
+  throw Rejected(Exit::interrupted, "--serve", error.what(), "needs two threads beside the run",
+                 "end other programs, raise the limit on processes (ulimit -u), or leave --serve out");
 }
 
 LiveServer::~LiveServer() {
+  parts_->server.close_all();
   parts_->server.stop();
   parts_->listener.join();
 }

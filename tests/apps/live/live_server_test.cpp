@@ -6,6 +6,9 @@
 #include <httplib.h>
 
 #include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
 
 #include "apps/text/complaint.hpp"
 
@@ -111,16 +114,113 @@ TEST_F(Server, SaysWhenThePortIsTaken) {
   }
 }
 
+/// Who connects, and does not do what others do.
+class Guest {
+ public:
+  explicit Guest(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in here{};
+    here.sin_family = AF_INET;
+    here.sin_port = htons(static_cast<std::uint16_t>(port));
+    inet_pton(AF_INET, "127.0.0.1", &here.sin_addr);
+    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&here), sizeof here), 0);
+  }
+  Guest(const Guest&) = delete;
+  Guest& operator=(const Guest&) = delete;
+  ~Guest() { close(socket_); }
+
+  /// @return whether the other side still listens.
+  [[nodiscard]] bool say(const std::string& text) const {
+    return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
+  }
+  /// All that the other side says until it hangs up.
+  [[nodiscard]] std::string hear() const {
+    std::string all(1'000'000, '\0');
+    std::size_t size = 0;
+    for (ssize_t count = 1; count > 0 && size < all.size(); size += static_cast<std::size_t>(count)) {
+      count = ::recv(socket_, &all[size], all.size() - size, 0);
+      if (count <= 0) break;
+    }
+    return all.substr(0, size);
+  }
+
+ private:
+  int socket_;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 // Who connects and says nothing holds nobody up.
 TEST_F(Server, EndsBesideASilentGuest) {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in here{};
-  here.sin_family = AF_INET;
-  here.sin_port = htons(static_cast<std::uint16_t>(port()));
-  inet_pton(AF_INET, "127.0.0.1", &here.sin_addr);
-  ASSERT_EQ(connect(socket, reinterpret_cast<const sockaddr*>(&here), sizeof here), 0);
+  const Guest guest(port());
   EXPECT_EQ(status(root()), 200);
-  close(socket);
+}
+
+/// Guests of a server that say a letter now and then, so that no call on their sockets takes long.
+class SlowGuests {
+ public:
+  SlowGuests(int port, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) guests_.push_back(std::make_unique<Guest>(port));
+    for (const auto& guest : guests_) EXPECT_TRUE(guest->say("GET / HTTP/1.1\r\nName: "));
+    thread_ = std::thread([this] {
+      while (!ends_) {
+        for (const auto& guest : guests_) (void)guest->say("x");
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+    });
+  }
+  SlowGuests(const SlowGuests&) = delete;
+  SlowGuests& operator=(const SlowGuests&) = delete;
+  ~SlowGuests() {
+    ends_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::vector<std::unique_ptr<Guest>> guests_;
+  std::atomic<bool> ends_ = false;
+  std::thread thread_;
+};
+
+TEST_F(Server, AnswersOthersBesideManySlowGuests) {
+  const SlowGuests guests(port(), 40);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(status(root()), 200);
+  EXPECT_LT(seconds_since(begin), 1.5) << "before the time of the slow ones is over";
+}
+
+TEST(LiveServer, EndsAtOnceBesideSlowGuests) {
+  auto server = std::make_unique<app::LiveServer>(
+      0, app::LiveAnswers{[] { return "page"; }, [](std::int64_t) { return std::nullopt; }, [] {}});
+  const std::string address = server->address();
+  const SlowGuests guests(std::stoi(address.substr(address.rfind(':') + 1)), 12);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const auto begin = std::chrono::steady_clock::now();
+  server.reset();
+  EXPECT_LT(seconds_since(begin), 1);
+}
+
+TEST_F(Server, GivesASlowGuestLittleTime) {
+  const Guest guest(port());
+  const auto begin = std::chrono::steady_clock::now();
+  bool listens = guest.say("GET / HTTP/1.1\r\nName: ");
+  while (listens && seconds_since(begin) < 10) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    listens = guest.say("x");
+  }
+  EXPECT_LT(seconds_since(begin), 4);
+}
+
+TEST_F(Server, TakesNoEndlessHeader) {
+  const Guest guest(port());
+  EXPECT_TRUE(guest.say("GET " + root() + " HTTP/1.1\r\nHost: localhost:" + std::to_string(port()) + "\r\n"));
+  std::string lines;
+  for (int i = 0; i < 20'000; ++i) lines += "X-" + std::to_string(i) + ": 1\r\n";
+  (void)guest.say(lines);
+  (void)guest.say("\r\n");
+  EXPECT_EQ(guest.hear().find("200 OK"), std::string::npos);
+  EXPECT_EQ(status(root()), 200) << "of another guest";
 }
 
 TEST(Token, IsLongAndNeverTheSame) {
