@@ -209,6 +209,17 @@ CheckedFile check_members(const std::string& path) {
   return checked;
 }
 
+CheckedFile check_text(const std::string& text, const std::string& path, bool of_study);
+
+/// A study names a scene, not another study: files that name each other would be read without end.
+CheckedFile check_scene_of_study(const std::string& path) {
+  try {
+    return check_text(read_text_file(path), path, true);
+  } catch (const Rejected& rejected) {
+    return refused({}, rejected);
+  }
+}
+
 /// @param text  that can be parsed.
 CheckedFile check_study(const std::string& text, const std::string& path, bool is_whole) {
   CheckedFile checked;
@@ -218,8 +229,11 @@ CheckedFile check_study(const std::string& text, const std::string& path, bool i
     checked = refused(path, rejected);
   }
   if (const std::string scene = scene_of_study(text, path); !scene.empty()) {
-    const CheckedFile base = check_file(scene);
-    checked.complaints.insert(checked.complaints.end(), base.complaints.begin(), base.complaints.end());
+    const CheckedFile base = check_scene_of_study(scene);
+    const std::size_t room = most_complaints - std::min(most_complaints, checked.complaints.size());
+    const auto count = static_cast<std::ptrdiff_t>(std::min(room, base.complaints.size()));
+    checked.complaints.insert(checked.complaints.end(), base.complaints.begin(),
+                              base.complaints.begin() + count);
   }
   if (!is_whole || !checked.complaints.empty()) return checked;
   try {
@@ -234,11 +248,13 @@ bool comes_before(const Complaint& a, const Complaint& b) {
          std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
 }
 
-/// The whole file, syntax first.
-CheckedFile check_text(const std::string& text, const std::string& path) {
+/// The whole file, syntax first.   @param of_study  a study names it as its scene.
+CheckedFile check_text(const std::string& text, const std::string& path, bool of_study) {
   bool study = false;
   const Parseable parts =
       parseable(text, [&](const std::string& part) { study = is_meant_as_study(part, path); });
+  if (study && of_study)
+    return refused(path, Rejected(Exit::data, "scene", path, "is a study itself", "must be a scene"));
   CheckedFile checked = study ? check_study(parts.text, path, parts.complaints.empty())
                               : SceneCheck(parts.text, path, parts.left_out).run();
   checked.complaints.insert(checked.complaints.begin(), parts.complaints.begin(), parts.complaints.end());
@@ -271,7 +287,7 @@ nlohmann::ordered_json complaint_json(Complaint one, const std::string& file) {
 CheckedFile check_file(const std::string& path) {
   CheckedFile checked;
   try {
-    checked = check_text(read_text_file(path), path);
+    checked = check_text(read_text_file(path), path, false);
   } catch (const Rejected& rejected) {
     checked = refused({}, rejected);
   }

@@ -29,9 +29,10 @@ constexpr const char* about_values =
     "  \"phases.mortar.tensile_scale\" = {low = \"10 MPa\", high = \"20 MPa\"}\n";
 
 constexpr const char* about_members =
-    "Members run one on each core, each on one thread. Memory is taken by those that run, less than 100 MB "
-    "each "
-    "for a\nmillion points, and by 200 points of the curve of every member. The folder keeps every member by "
+    "Members run one on each core, each on one thread. Memory is taken by those that run, for a million "
+    "points "
+    "less\nthan 100 MB each with small strain and less than 1 GB with moving points, and by 200 points of "
+    "the curve of every member. The folder keeps every member by "
     "what it\ndepends on, the version of the program included: the same command goes on where it stopped, "
     "and a "
     "study\nmay grow by seeds, levels and samples (a Latin hypercube cannot). It gets table.csv, table.h5 "

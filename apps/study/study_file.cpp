@@ -28,9 +28,10 @@ struct Seeds {
     const auto* list = std::get_if<Value::List>(&value.data);
     if (list == nullptr) return seeds_from(1, IntegerCodec<>{between(1, most_values)}.read(value));
     std::vector<std::uint64_t> seeds;
+    std::set<std::uint64_t> met;
     for (const Value& item : *list) {
       seeds.push_back(IntegerCodec<std::uint64_t>{at_least(0)}.read(item));
-      if (std::count(seeds.begin(), seeds.end(), seeds.back()) > 1)
+      if (!met.insert(seeds.back()).second)
         throw Mistake("seed " + std::to_string(seeds.back()) + " stands there twice", "remove one");
     }
     if (seeds.empty()) throw Mistake("must be a number of seeds or a list of them");
@@ -110,6 +111,7 @@ void PlanMaker::set(const std::string& name, const Value& value, const Place& pl
 
 void PlanMaker::vary(const std::string& name, const std::function<GivenValues()>& values,
                      const Place& of_name, const Place& of_values) {
+  if (is_full()) return;  // a suggestion takes its time
   StudyParameter parameter{name, {}, {}, 0, 0, of_values, folder_};
   const std::string key_of_study = std::string(study_vary) + "." + printable(name);
   for (const std::string& key : keys_of(name)) {
@@ -218,6 +220,7 @@ class Walk {
   }
 
   void unknown(const Place& place, const std::string& name) {
+    if (maker_.is_full()) return;  // a suggestion takes its time
     std::vector<std::string> names{study_vary};
     for (const auto& field : study_fields()) names.push_back(field.key);
     const bool of_scene = find_field(name).has_value() || is_group(name);

@@ -30,7 +30,10 @@ class PlanMaker {
   /// @param values  gives them; may throw Mistake.
   void vary(const std::string& name, const std::function<GivenValues()>& values, const Place& of_name,
             const Place& of_values);
-  void complain(Complaint complaint) { complaints_.push_back(std::move(complaint)); }
+  void complain(Complaint complaint) {
+    if (!is_full()) complaints_.push_back(std::move(complaint));
+  }
+  [[nodiscard]] bool is_full() const { return complaints_.size() >= most_complaints; }
 
   /// With what was left out filled in but for the default of seed_of, which needs the scene.
   /// @throws Rejected (Exit::data) with every complaint.

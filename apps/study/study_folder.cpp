@@ -1,8 +1,10 @@
 #include "apps/study/study_folder.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
@@ -36,20 +38,29 @@ struct FileTexts {
   friend bool operator==(const FileTexts&, const FileTexts&) = default;
 };
 
+/// Whether it stands where the same study has begun, or was about to when it was cut off: study.toml comes
+/// last.
+bool is_of_beginning(const fs::path& path, const FileTexts& given) {
+  const std::string name = path.filename().string();
+  std::error_code error;
+  return name == "specimen.h5" || name.ends_with(".tmp") ||
+         (name == "scene.toml" && read_text_file(path.string()) == given.scene) ||
+         ((name == "members" || name == "failures") && fs::is_empty(path, error));
+}
+
 /// Whether a study may begin here: nothing is in the folder, or the specimen that is to be broken.
-bool is_free(const fs::path& folder) {
+bool is_free(const fs::path& folder, const FileTexts& given) {
   std::error_code error;
   if (!is_there(folder)) return true;
   if (!fs::is_directory(folder, error)) return false;
   const fs::directory_iterator entries(folder, error);
-  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
-    return entry.path().filename() == "specimen.h5";
-  });
+  return std::all_of(begin(entries), end(entries),
+                     [&](const fs::directory_entry& entry) { return is_of_beginning(entry.path(), given); });
 }
 
 /// Empty where a study may begin.
-FileTexts kept_texts(const fs::path& folder) {
-  if (is_free(folder)) return {};
+FileTexts kept_texts(const fs::path& folder, const FileTexts& given) {
+  if (!is_there(folder / "study.toml") && is_free(folder, given)) return {};
   if (!is_there(folder / "study.toml"))
     throw Rejected(Exit::usage, "-o", folder.string(), "holds something else than a study",
                    "choose another folder");
@@ -101,6 +112,42 @@ T said_in(const fs::path& file, const char* key, const std::string& cure = {}) {
 /// As the folder says it; before it did, it was 1.
 int kept_format(const fs::path& file) { return is_there(file) ? said_in<int>(file, "format") : 1; }
 
+/// Nothing is there, or an empty folder.
+bool is_empty_place(const fs::path& folder) {
+  std::error_code error;
+  return !fs::exists(folder, error) || (fs::is_directory(folder, error) && fs::is_empty(folder, error));
+}
+
+/// Makes the folder of a study beside its place and then moves it there, so that others see all of it or
+/// nothing.
+/// @return false when another folder had taken the place.
+bool make_at_once(const fs::path& folder, const FileTexts& texts) {
+  const fs::path place = fs::absolute(folder).lexically_normal();
+  const fs::path target = place.has_filename() ? place : place.parent_path();
+  const fs::path made = target.string() + "." + std::to_string(::getpid()) + "-" +
+                        std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()) + ".tmp";
+  std::error_code error;
+  try {
+    make_folders(made / "members");
+    make_folders(made / "failures");
+    mpm::replace_file((made / "scene.toml").string(), texts.scene);
+    mpm::replace_file((made / "study.toml").string(), texts.study);
+    mpm::replace_file((made / "format.json").string(), json_text({{"format", identity_format}}));
+    fs::rename(made, target, error);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(made, ignored);
+    throw;
+  }
+  if (!error) return true;
+  std::error_code ignored;
+  fs::remove_all(made, ignored);
+  if (error == std::errc::directory_not_empty || error == std::errc::not_a_directory ||
+      error == std::errc::file_exists)
+    return false;
+  throw Rejected(Exit::io, folder.string(), error.message(), "must be a folder that can be made");
+}
+
 bool holds_anything(const fs::path& folder) {
   std::error_code error;
   return fs::directory_iterator(folder, error) != fs::directory_iterator();
@@ -124,7 +171,9 @@ void StudyFolder::check_format(const Study& study) const {
 
 void StudyFolder::open(const Study& study, const std::vector<Member>& members) const {
   const FileTexts given{study.file.text, study.scene.text};
-  const FileTexts kept = kept_texts(path_);
+  // Another program that begins the same study may be faster; then its folder is looked at as any other.
+  if (is_empty_place(path_) && make_at_once(path_, given)) return;
+  const FileTexts kept = kept_texts(path_, given);
   if (!kept.study.empty()) check_format(study);
   if (!kept.study.empty() && kept != given) {
     const Study before = study_of({kept.study, study.file.path}, {kept.scene, study.scene.path});
@@ -134,6 +183,7 @@ void StudyFolder::open(const Study& study, const std::vector<Member>& members) c
   }
   make_folders(path_ / "members");
   make_folders(path_ / "failures");
+  for (const char* part : {"", "members", "failures"}) remove_old_remainders(path_ / part);
   if (kept.scene != given.scene) mpm::replace_file(file("scene.toml").string(), given.scene);
   if (kept.study != given.study) mpm::replace_file(file("study.toml").string(), given.study);
   if (kept_format(file("format.json")) != identity_format)

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include "apps/scene/toml.hpp"
 #include "apps/text/text_parts.hpp"
@@ -111,10 +113,11 @@ void try_on(const StudyParameter& parameter, const Value& value) {
 }
 
 void set_list(const Value::List& values, StudyParameter& parameter) {
+  std::set<std::string> met;
   for (Value value : values) {
     if (parameter.fields.front().form.kind == Kind::path) value = within_folder(parameter.folder, value);
     try_on(parameter, value);
-    if (std::find(parameter.levels.begin(), parameter.levels.end(), value) != parameter.levels.end())
+    if (!met.insert(toml_text(value)).second)
       throw Mistake(toml_text(value) + " stands there twice", "remove one");
     parameter.levels.push_back(std::move(value));
   }

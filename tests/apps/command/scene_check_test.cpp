@@ -135,6 +135,22 @@ TEST_F(SceneCheck, LooksThroughStudiesWithTheirScene) {
   EXPECT_EQ(app::check_file("a.toml").what, "a study: 3 members of base.toml");
 }
 
+TEST_F(SceneCheck, GoesThroughNoRingOfStudies) {
+  EXPECT_THAT(complaints("scene = 'a.toml'\nseeds = 2\n"),
+              ElementsAre(AllOf(HasSubstr("a.toml"), HasSubstr("is a study itself; must be a scene"))));
+  test::write_text("b.toml", "scene = 'c.toml'\nseeds = 2\n");
+  test::write_text("c.toml", "scene = 'a.toml'\nseeds = 2\n");
+  EXPECT_THAT(complaints("scene = 'b.toml'\nseeds = 2\n"),
+              ElementsAre(AllOf(HasSubstr("b.toml"), HasSubstr("is a study itself; must be a scene"))));
+}
+
+TEST_F(SceneCheck, EndsAtAHundredMistakesOfAStudyAndItsScene) {
+  std::string many = small;
+  for (int i = 0; i < 200; ++i) many += "[nothing_" + std::to_string(i) + "]\n";
+  test::write_text("base.toml", many);
+  EXPECT_EQ(complaints("scene = 'base.toml'\nseeds = 0\nsee = 1\n").size(), app::most_complaints);
+}
+
 TEST_F(SceneCheck, TellsFilesThatCannotBeReadFromOthers) {
   EXPECT_FALSE(app::check_file("nothing.toml").readable);
   test::write_text("a.toml", "[specimen]\nfile = 'nothing.h5'\n");

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "apps/study/study_values.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
@@ -101,6 +103,31 @@ TEST(StudyFile, RefusesValuesThatTheSceneRefuses) {
             "study.toml:4:18: vary.solver.plane: steps and ranges are for numbers; list the values\n");
   EXPECT_EQ(complaints(std::string(seeded) + "[vary]\n\"solver.cfl\" = [0.5, 0.5]\n"),
             "study.toml:4:16: vary.solver.cfl: 0.5 stands there twice; remove one\n");
+}
+
+TEST(StudyFile, EndsAtAHundredMistakes) {
+  std::string unknown = seeded, values = std::string(seeded) + "[vary]\n";
+  for (int i = 0; i < 2000; ++i) {
+    unknown += "sampl" + std::to_string(i) + " = 1\n";
+    values += "\"loading.velocity" + std::to_string(i) + "\" = [1]\n";
+  }
+  for (const std::string& text : {unknown, values}) {
+    const std::string lines = complaints(text);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), most_complaints);
+  }
+}
+
+/// Comparing each with all the others would take a minute.
+TEST(StudyFile, ReadsAHundredThousandValues) {
+  std::string seeds = "scene = \"a.toml\"\nseeds = [0",
+              levels = std::string(seeded) + "[vary]\nphases.mortar.weibull_modulus = [1";
+  for (int i = 1; i < 100'000; ++i) {
+    seeds += "," + std::to_string(i);
+    levels += "," + std::to_string(i + 1);
+  }
+  EXPECT_EQ(parse_study(seeds + "]\n", "study.toml").seeds.size(), 100'000U);
+  EXPECT_EQ(parse_study(levels + "]\n", "study.toml").parameters.front().levels.size(), 100'000U);
+  EXPECT_NE(complaints(levels + ",7]\n"), "");
 }
 
 TEST(StudyFile, RefusesWhatDoesNotGoTogether) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <future>
 
 #include "apps/study/study_report.hpp"
 #include "apps/study/study_results.hpp"
@@ -39,6 +41,39 @@ TEST_F(StudyRun, WritesAResultAMemberAndSkipsWhatIsThere) {
   tally = run("seeds = 4\n", 2);  // the study has grown
   EXPECT_EQ(tally.before, 3U);
   EXPECT_EQ(tally.done, 1U);
+}
+
+/// As several machines do.
+TEST_F(StudyRun, BeginsInOneFolderForSeveralProgramsAtOnce) {
+  study_ = test::small_study(files_, "seeds = 2\n");
+  members_ = list_members(study_);
+  for (int round = 0; round < 10; ++round) {
+    const std::string place = files_ / ("new_" + std::to_string(round));
+    if (round % 2 == 1) {  // beside the specimen that it breaks
+      std::filesystem::create_directory(place);
+      test::write_text(place + "/specimen.h5", "");
+    }
+    std::vector<std::future<void>> programs;
+    for (int i = 0; i < 4; ++i)
+      programs.push_back(std::async(std::launch::async, [&] { StudyFolder(place).open(study_, members_); }));
+    for (std::future<void>& program : programs) EXPECT_NO_THROW(program.get());
+    EXPECT_EQ(test::read_text(place + "/study.toml"), study_.file.text);
+    EXPECT_TRUE(std::filesystem::is_directory(place + "/members"));
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(files_ / ""))
+    EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+}
+
+/// And where it was cut off as it began.
+TEST_F(StudyRun, BeginsAgainWhereItWasCutOff) {
+  study_ = test::small_study(files_, "seeds = 2\n");
+  std::filesystem::create_directories(files_ / "out/members");
+  test::write_text(files_ / "out/scene.toml", study_.scene.text);
+  test::write_text(files_ / "out/study.toml.1-0.tmp", "see");
+  EXPECT_NO_THROW(folder_.open(study_, list_members(study_)));
+  test::write_text(files_ / "out/result.h5", "");
+  std::filesystem::remove(files_ / "out/study.toml");
+  EXPECT_THROW(folder_.open(study_, list_members(study_)), Rejected) << "the run of something else";
 }
 
 TEST_F(StudyRun, AMemberIsWhatSimulateMakesOfItsScene) {
