@@ -22,7 +22,8 @@ const std::vector<ExitMeaning>& exit_meanings() {
        "A file cannot be read or written, or the disk is full. What the disk took is kept, and the rest is "
        "named."},
       {Exit::interrupted, "EX_TEMPFAIL", "interrupted with what was computed kept",
-       "Ended by Ctrl-C, SIGTERM or the button of the live report; members of a study are still open; or "
+       "Ended by Ctrl-C, SIGTERM, SIGHUP or the button of the live report; members of a study are still "
+       "open; or "
        "another program writes the folder. The same command, or mesopix simulate --resume, goes on."},
   };
   return all;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "apps/command/export_formats.hpp"
+#include "apps/run/run_location.hpp"
 #include "apps/system/files.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/markup.hpp"
@@ -72,6 +73,7 @@ std::optional<specimen::Specimen> specimen_in(const std::string& path) {
 std::string result_in(const std::string& input) {
   switch (kind_of_input(input)) {
     case InputKind::folder:
+      check_one_run(input);
       return (fs::path(input) / "result.h5").string();
     case InputKind::hdf5:
       return {};

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
 
 #include "apps/job/specimen_report.hpp"
 #include "apps/report/run_words.hpp"
+#include "apps/run/run_location.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"
@@ -92,24 +96,57 @@ std::string picture_text(const Json& figures) {
   return text;
 }
 
-/// A specimen file or a result file: whichever reader accepts it.
+Json frame_json(const mpm::Frame& frame) {
+  return {{"kind", "frame"},      {"points", frame.points.size()},
+          {"time_s", frame.time}, {"strain", frame.strain},
+          {"step", frame.step},   {"history_row", frame.row}};
+}
+
+std::string frame_text(const Json& figures) {
+  return fmt::format("frame of {} points at strain {}, after {} steps\n",
+                     figures["points"].get<std::size_t>(), strain_text(figures["strain"].get<double>()),
+                     figures["step"].get<std::int64_t>());
+}
+
+Json table_json(const std::vector<mpm::TableColumn>& columns) {
+  Json names = Json::array();
+  for (const mpm::TableColumn& column : columns)
+    names.push_back({{"name", column.name}, {"unit", column.unit}, {"meaning", column.meaning}});
+  return {{"kind", "table"}, {"rows", columns.empty() ? 0 : columns.front().rows()}, {"columns", names}};
+}
+
+std::string table_text(const Json& figures) {
+  std::string text = fmt::format("table of {} rows and {} columns\n", figures["rows"].get<std::size_t>(),
+                                 figures["columns"].size());
+  for (const Json& column : figures["columns"])
+    text += fmt::format("  {} [{}]: {}\n", column["name"].get<std::string>(),
+                        column["unit"].get<std::string>(), column["meaning"].get<std::string>());
+  return text;
+}
+
+/// Whichever reader accepts it.
 Json hdf5_json(const std::string& path) {
-  std::string why_no_result;
-  try {
-    return result_json(read_result(path));
-  } catch (const mpm::Error& error) {
-    why_no_result = error.what();
+  std::vector<std::string> faults;
+  for (const std::function<Json()>& read : std::initializer_list<std::function<Json()>>{
+           [&] { return result_json(read_result(path)); },
+           [&] { return specimen_json(read_specimen(path), {}); },
+           [&] { return frame_json(read_frame(path)); }, [&] { return table_json(read_table(path)); }}) {
+    try {
+      return read();
+    } catch (const mpm::Error& error) {
+      faults.emplace_back(error.what());
+    } catch (const specimen::Error& error) {
+      faults.emplace_back(error.what());
+    }
   }
-  try {
-    return specimen_json(read_specimen(path), {});
-  } catch (const specimen::Error& error) {
-    throw Rejected(Exit::data, path, "neither a specimen nor a result", error.what(), why_no_result);
-  }
+  throw Rejected(Exit::data, path, "neither a specimen nor a result, a frame or a table", faults[1],
+                 faults[0]);
 }
 
 Json inspect(const std::string& path) {
   switch (kind_of_input(path)) {
     case InputKind::folder:
+      check_one_run(path);
       return inspect((std::filesystem::path(path) / "result.h5").string());
     case InputKind::hdf5:
       return hdf5_json(path);
@@ -117,7 +154,7 @@ Json inspect(const std::string& path) {
       return picture_json(path);
     case InputKind::scene:
       throw Rejected(Exit::usage, path, "is a scene",
-                     "must be a specimen, a result, a run folder or a picture",
+                     "must be a specimen, a result, a run folder, a frame, a table or a picture",
                      "mesopix simulate --print-scene " + path + " resolves it");
   }
   return {};
@@ -126,15 +163,18 @@ Json inspect(const std::string& path) {
 std::string figures_text(const Json& figures) {
   const auto kind = figures["kind"].get<std::string>();
   if (kind == "result") return result_text(figures);
+  if (kind == "frame") return frame_text(figures);
+  if (kind == "table") return table_text(figures);
   return kind == "picture" ? picture_text(figures) : specimen_text(figures);
 }
 
 class InspectCommand : public Command {
  public:
   explicit InspectCommand(CLI::App& program)
-      : Command(program, "inspect", "Tell what is in a specimen, a result, a run folder or a picture",
+      : Command(program, "inspect",
+                "Tell what is in a specimen, a result, a run folder, a frame, a table or a picture",
                 inspect_footer) {
-    option("FILE", file_, "specimen.h5, result.h5, folder of a run, or picture",
+    option("FILE", file_, "specimen.h5, result.h5, folder of a run, frame, table.h5, or picture",
            file_form(picture_endings({"h5"})));
     flag("--json", json_, "as JSON");
   }

@@ -171,6 +171,7 @@ std::vector<Fact> provenance_facts(const RunRecord& record) {
   if (provenance.seed != 0) facts.push_back({"Aggregate seed", std::to_string(provenance.seed)});
   facts.push_back({"Strength seed", std::to_string(record.scene.damage.seed)});
   facts.push_back({"Scene SHA-256", record.scene_hash});
+  facts.push_back({"Run SHA-256", run_digest(record.scene_toml, record.scene)});
   return facts;
 }
 

@@ -57,6 +57,11 @@ struct RunRecord : RunSubject {
   bool goes_on = false;                       ///< the run is not over yet
 };
 
+/// What result.h5, summary.json, the report and the frames name as the run that they are of.
+/// @param scene_toml  the resolved scene.   @param scene  as it is solved, with its specimen.
+/// @return SHA-256 of both but the number of threads, which changes no bit, in lower-case hexadecimal.
+[[nodiscard]] std::string run_digest(const std::string& scene_toml, const mpm::Scene& scene);
+
 /// Key figures of a run in SI units, as summary.json holds them; figures that are not finite are null in
 /// its text.
 [[nodiscard]] nlohmann::json summary(const RunRecord& record);

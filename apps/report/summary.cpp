@@ -1,5 +1,6 @@
 // summary.json.
 #include <fmt/format.h>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +10,8 @@
 #include "apps/report/run_record.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/text/version.hpp"
+#include "libmpm/solver/checkpoint.hpp"
+#include "specimen/body/files.hpp"
 #include "specimen/describe/doubts.hpp"
 
 namespace {
@@ -134,6 +137,14 @@ json estimate_of(const output::ErrorEstimate& estimate) {
 
 }  // namespace
 
+std::string run_digest(const std::string& scene_toml, const mpm::Scene& scene) {
+  std::istringstream lines(scene_toml);
+  std::string what_matters;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("threads = ")) what_matters += line + "\n";
+  return specimen::sha256_of_text(what_matters + mpm::specimen_digest(scene));
+}
+
 json summary(const RunRecord& record) {
   json all = figures_of(record.result);
   if (output::has_platens(record.scene) && !record.result.history.empty())
@@ -151,6 +162,7 @@ json summary(const RunRecord& record) {
   all["warnings"] = specimen::doubts_of(record.specimen);
   all["title"] = record.title;
   all["scene_hash"] = record.scene_hash;
+  all["run"] = run_digest(record.scene_toml, record.scene);
   all["version"] = app::version();
   return all;
 }

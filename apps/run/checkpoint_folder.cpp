@@ -5,7 +5,9 @@
 #include <charconv>
 #include <chrono>
 #include <cstring>
+#include <exception>
 #include <system_error>
+#include <utility>
 
 #include "libmpm/scene/error.hpp"
 
@@ -92,6 +94,66 @@ void CheckpointFolder::remove_behind(std::int64_t step) const {
     if (of_step > step) doomed.push_back(path);
   for (const fs::path& path : doomed) remove_file(path);
   fs::remove(folder_, error);  // fails, as it should, while something is in it
+}
+
+CheckpointWriter::CheckpointWriter(CheckpointFolder& folder, std::string scene_text, std::string remarks)
+    : folder_(folder), scene_text_(std::move(scene_text)), remarks_(std::move(remarks)) {
+  try {
+    thread_.emplace([this] { work(); });
+  } catch (const std::system_error&) {
+    thread_.reset();
+  }
+}
+
+CheckpointWriter::~CheckpointWriter() {
+  wait();
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+}
+
+void CheckpointWriter::write(mpm::Checkpoint checkpoint) {
+  wait();
+  checkpoint_ = std::move(checkpoint);
+  if (!thread_) return write_now();
+  {
+    const std::lock_guard lock(mutex_);
+    busy_ = true;
+  }
+  changed_.notify_all();
+}
+
+void CheckpointWriter::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return !busy_; });
+}
+
+void CheckpointWriter::work() {
+  for (std::unique_lock lock(mutex_);;) {
+    changed_.wait(lock, [&] { return busy_ || ends_; });
+    if (!busy_) return;
+    lock.unlock();
+    write_now();
+    lock.lock();
+    busy_ = false;
+    changed_.notify_all();
+  }
+}
+
+void CheckpointWriter::write_now() {
+  const double before = folder_.wall_time();
+  trouble_.clear();
+  try {
+    folder_.write(checkpoint_, scene_text_, remarks_);
+    last_time_ = folder_.wall_time() - before;
+  } catch (const mpm::FileError& error) {
+    trouble_ = error.what();
+  } catch (const std::exception& error) {  // no memory for it
+    trouble_ = error.what();
+  }
+  checkpoint_.state = {};
 }
 
 }  // namespace app

@@ -1,11 +1,15 @@
 /// The checkpoints of a run in its folder.
 #pragma once
 
+#include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "libmpm/files/checkpoint_file.hpp"
@@ -47,6 +51,42 @@ class CheckpointFolder {
   std::filesystem::path folder_;
   int written_ = 0;
   double wall_time_ = 0;
+};
+
+/// Writes checkpoints beside the run, on a thread of its own: a disk that stalls does not hold the run up.
+/// One is under way at a time. Without a thread, where the system gives none, it writes at once.
+class CheckpointWriter {
+ public:
+  /// @param folder  must outlive it, and is not to be used while one is under way.
+  CheckpointWriter(CheckpointFolder& folder, std::string scene_text, std::string remarks);
+  ~CheckpointWriter();
+  CheckpointWriter(const CheckpointWriter&) = delete;
+  CheckpointWriter& operator=(const CheckpointWriter&) = delete;
+
+  /// Waits for the one before.
+  void write(mpm::Checkpoint checkpoint);
+  /// Until none is under way.
+  void wait();
+  [[nodiscard]] bool is_busy() const { return busy_; }
+  /// What the last one took that was written [s]; 0 = there was none.
+  [[nodiscard]] double last_time() const { return last_time_; }
+  /// Why the last one is missing; empty = it is there.   @pre it is not busy.
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+
+ private:
+  void work();
+  void write_now();
+
+  CheckpointFolder& folder_;
+  std::string scene_text_, remarks_;
+  mpm::Checkpoint checkpoint_;
+  std::atomic<double> last_time_ = 0;
+  std::string trouble_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::atomic<bool> busy_ = false;
+  bool ends_ = false;
+  std::optional<std::jthread> thread_;
 };
 
 }  // namespace app

@@ -134,8 +134,9 @@ std::vector<fs::path> frames_of(const fs::path& run) {
   return frames;
 }
 
-FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vector<mpm::FrameTaken>& taken)
-    : run_(std::move(run)), scene_(scene) {
+FrameFolder::FrameFolder(fs::path run, const mpm::Scene& scene, const std::vector<mpm::FrameTaken>& taken,
+                         std::string digest)
+    : run_(std::move(run)), scene_(scene), digest_(std::move(digest)) {
   const std::set<std::string> kept = take_over(taken);
   remove_frames(run_, kept);
   if (!kept.empty()) {
@@ -191,7 +192,7 @@ void FrameFolder::write(const mpm::Frame& frame, std::int64_t number) {
   if (error)
     throw mpm::FileError(folder.string(), "cannot be created: " + error.message(), "",
                          "choose a folder that may be written to");
-  mpm::write_frame((folder / output::frame_name(number)).string(), frame, scene_);
+  mpm::write_frame((folder / output::frame_name(number)).string(), frame, scene_, digest_);
   ++written_;
   add_to_lists(number, frame.time, static_cast<std::int64_t>(frame.points.size()));
   write_lists();

@@ -61,9 +61,10 @@ class FrameFolder {
  public:
   /// Removes the frames and lists of an earlier run. The folder must be there; the scene must outlive this.
   /// @param taken  frames of an earlier part of this run, which stay, and after which it goes on.
+  /// @param digest  of the run, which every frame carries; empty = none.
   /// @throws mpm::FileError when a frame cannot be removed, or one that was taken is not there any more.
   FrameFolder(std::filesystem::path run, const mpm::Scene& scene,
-              const std::vector<mpm::FrameTaken>& taken = {});
+              const std::vector<mpm::FrameTaken>& taken = {}, std::string digest = {});
 
   /// Never throws because the disk fails.   @return whether the frame and both lists were written.
   bool add(const mpm::Frame& frame);
@@ -82,6 +83,7 @@ class FrameFolder {
 
   std::filesystem::path run_;
   const mpm::Scene& scene_;
+  std::string digest_;
   std::int64_t added_ = 0, written_ = 0;
   std::optional<mpm::FileError> failure_;
   output::FrameSeries list_;

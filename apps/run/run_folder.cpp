@@ -1,7 +1,11 @@
 #include "apps/run/run_folder.hpp"
 
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "apps/drawing/chart.hpp"
 #include "apps/drawing/damage_picture.hpp"
@@ -11,6 +15,7 @@
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report.hpp"
 #include "apps/report/run_charts.hpp"
+#include "apps/run/run_remarks.hpp"
 #include "apps/system/files.hpp"
 #include "libmpm/files/replace_file.hpp"
 #include "libmpm/files/result_file.hpp"
@@ -82,24 +87,62 @@ void write_end(const fs::path& folder, const RunRecord& record, Attempts& attemp
 }
 
 /// What mesopix export has made of an earlier run in the same folder.
+constexpr const char* maps[] = {"damage.tif", "failure_strain.tif"};
+
 void remove_maps(const fs::path& folder) {
-  for (const char* name : {"damage.tif", "failure_strain.tif"}) {
-    std::error_code ignored;  // there is nothing to remove in a new folder
+  for (const char* name : maps) {
+    std::error_code ignored;
     fs::remove(folder / name, ignored);
   }
 }
 
-}  // namespace
+/// What comes of a run; result.h5 first, without which the others say nothing.
+std::vector<std::string> names_of_results() {
+  std::vector<std::string> names{"result.h5", "summary.json", "report.html",
+                                 "curve.csv", "curve.png",    "specimen.png"};
+  for (const bool colour : {false, true}) {
+    for (const int percent : output::stage_percents) names.push_back(output::picture_name(percent, colour));
+    names.push_back(output::deformed_name(colour));
+  }
+  names.insert(names.end(), std::begin(maps), std::end(maps));
+  return names;
+}
 
-void write_run(const fs::path& folder, const RunRecord& record) {
-  Attempts attempt;
-  attempt([&] { create_folder(folder); });
-  attempt.conclude();
-  remove_maps(folder);
+void remove_result(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error)
+    throw mpm::FileError(path.string(), "of an earlier run cannot be removed: " + error.message(), "",
+                         "choose another folder");
+}
+
+std::vector<fs::path> results_in(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (const std::string& name : names_of_results())
+    if (fs::is_regular_file(folder / name, error)) paths.push_back(folder / name);
+  return paths;
+}
+
+bool holds_another_scene(const fs::path& folder, const std::string& scene_toml) {
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "scene.toml", error)) return false;
+  std::ifstream in(folder / "scene.toml", std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {}) != scene_toml;
+}
+
+mpm::RunTexts texts_of(const RunRecord& record) {
+  app::RunRemarks remarks;
+  remarks.notes = record.notes;
+  remarks.tolerated = record.error_estimate;
+  return {run_digest(record.scene_toml, record.scene), app::remarks_text(remarks)};
+}
+
+/// All but result.h5.
+void write_rest(const fs::path& folder, const RunRecord& record, Attempts& attempt) {
   const auto text = [&](const char* name, const auto& made) {
     attempt([&] { write_text(folder / name, made()); });
   };
-  attempt([&] { mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml); });
   text("curve.csv", [&] { return output::curve_csv(record.result.history); });
   text("summary.json",
        [&] { return summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; });
@@ -115,4 +158,35 @@ void write_run(const fs::path& folder, const RunRecord& record) {
   write_damage(folder, record, attempt);
   write_end(folder, record, attempt);
   attempt.conclude();
+}
+
+}  // namespace
+
+void retire_results(const fs::path& folder, const std::string& scene_toml,
+                    const specimen::Specimen& specimen) {
+  const std::vector<fs::path> old = results_in(folder);
+  if (old.empty()) return;
+  write_text(folder / "scene.toml", scene_toml);
+  for (const fs::path& path : old) remove_result(path);
+  specimen::write_specimen((folder / "specimen.h5").string(), specimen);
+}
+
+void write_run(const fs::path& folder, const RunRecord& record) {
+  Attempts attempt;
+  attempt([&] {
+    create_folder(folder);
+    if (holds_another_scene(folder, record.scene_toml))
+      retire_results(folder, record.scene_toml, record.specimen);
+  });
+  attempt.conclude();
+  remove_maps(folder);
+  attempt([&] {
+    mpm::write_result((folder / "result.h5").string(), record.result, record.scene_toml, texts_of(record));
+  });
+  write_rest(folder, record, attempt);
+}
+
+void write_run_again(const fs::path& folder, const RunRecord& record) {
+  Attempts attempt;
+  write_rest(folder, record, attempt);
 }

@@ -26,3 +26,13 @@
 /// others.
 /// @throws NotWritten (apps/system/files.hpp) with the files that are missing, when the disk fails.
 void write_run(const std::filesystem::path& folder, const RunRecord& record);
+
+/// All of them but result.h5, which stays as it is, and the maps.   @throws as write_run().
+void write_run_again(const std::filesystem::path& folder, const RunRecord& record);
+
+/// The first act of a run in the folder of an earlier one: the new scene takes the place of the old, and then
+/// all results go, and the new specimen takes the place of the old. Whenever it is cut off, the folder holds
+/// one run, or results that check_one_run() refuses. Does nothing where there are no results.
+/// @throws mpm::FileError; then the old results are as they were, or some of them are gone; specimen::Error.
+void retire_results(const std::filesystem::path& folder, const std::string& scene_toml,
+                    const specimen::Specimen& specimen);

@@ -40,11 +40,17 @@ class FreshFolder {
 struct ReadRun : Job {
   mpm::Result result;
   std::string scene_toml;
+  std::string run;                            ///< run_digest(); empty where result.h5 names none
+  output::ErrorEstimate error_estimate = {};  ///< without sources when none was asked for
 
   [[nodiscard]] RunRecord record() const;
 };
 
-/// Specimen, scene and result of a run.
+/// That the files of a folder are of one run: scene.toml, result.h5 and summary.json.
+/// @throws Rejected (Exit::data) naming those that are not; the errors of the readers.
+void check_one_run(const std::string& folder);
+
+/// Specimen, scene and result of a run. A specimen that is missing is made again from the scene.
 /// @throws Rejected (Exit::usage) for what is no run folder, (Exit::data) for one whose files do not belong
 /// together, and the errors of the readers.
 [[nodiscard]] ReadRun read_run(const std::string& folder);

@@ -152,7 +152,7 @@ RunRemarks parse_remarks(const std::string& text, const std::string& path) try {
   all.at("checkpoint_every").get_to(remarks.checkpoint_every);
   return remarks;
 } catch (const json::exception& error) {
-  throw Rejected(Exit::data, path, error.what(), "must be a checkpoint of mesopix simulate",
+  throw Rejected(Exit::data, path, error.what(), "must be a file that mesopix simulate wrote",
                  "begin the run anew");
 }
 

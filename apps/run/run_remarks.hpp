@@ -28,10 +28,10 @@ struct RunRemarks {
   double checkpoint_every = 0;      ///< wall time between checkpoints [s]; 0: none on the way
 };
 
-/// As a checkpoint keeps them.
+/// As a checkpoint and a result keep them.
 [[nodiscard]] std::string remarks_text(const RunRemarks& remarks);
 
-/// @param path  of the checkpoint, for the message.   @throws Rejected (Exit::data) for a text that is none
+/// @param path  of that file, for the message.   @throws Rejected (Exit::data) for a text that is none
 /// of these.
 [[nodiscard]] RunRemarks parse_remarks(const std::string& text, const std::string& path);
 

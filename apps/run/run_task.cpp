@@ -1,6 +1,7 @@
 #include "apps/run/run_task.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "apps/run/frame_folder.hpp"
 #include "apps/run/run_folder.hpp"
 #include "apps/run/run_length.hpp"
+#include "apps/run/run_location.hpp"
 #include "apps/run/solving.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/scene/scene_text.hpp"
@@ -34,17 +36,43 @@ namespace {
 /// The checkpoints of a run on its way. A disk that is full ends no run: the next one may find room.
 class Keeper {
  public:
-  explicit Keeper(const RunTask& task)
-      : task_(task), folder_(task.folder), remarks_(remarks_text(task.remarks)), has_scene_(task.from) {
+  Keeper(const RunTask& task, Console& console)
+      : task_(task),
+        console_(console),
+        every_(task.remarks.checkpoint_every),
+        folder_(task.folder),
+        has_scene_(task.from) {
     folder_.remove_behind(task.from ? task.from->step : -1);
-    if (task.remarks.checkpoint_every > 0 && !has_scene_) write_scene();
+    if (!task.from) retire_results(task.folder, task.scene_toml, task.job.specimen);
+    if (every_ > 0 && !has_scene_) write_scene();
+    writer_.emplace(folder_, task.scene_toml, remarks_text(task.remarks));
   }
 
-  void keep(const mpm::Checkpoint& checkpoint) {
+  /// When the next one is to be made: so that it is on the disk before an interval has passed since the state
+  /// of the one before, and a kill loses no more. What writing takes counts, and the row until it is asked
+  /// for again.
+  /// @param since  wall time since the state of the last one [s].
+  [[nodiscard]] bool is_due(double since) {
+    const double row = std::max(0.0, since - asked_);
+    asked_ = since;
+    if (writer_->is_busy()) {
+      warn_of_delay(kept_before_ + since, "the disk has not taken the last one yet");
+      return false;
+    }
+    if (!writer_->trouble().empty()) warn("a checkpoint is missing: " + writer_->trouble());
+    warn_of_delay(kept_before_ + writer_->last_time(),
+                  fmt::format("the disk took {:.2g} s for one", writer_->last_time()));
+    warn_of_delay(since, fmt::format("they are made at rows of the history, {:.2g} s apart", row));
+    return since + std::min(writer_->last_time() + row, 0.5 * every_) >= every_;
+  }
+
+  void keep(mpm::Checkpoint checkpoint) {
+    writer_->wait();
+    kept_before_ = (writer_->trouble().empty() ? 0 : kept_before_) + std::exchange(asked_, 0);
     trouble_.clear();
     try {
       if (!has_scene_) write_scene();
-      folder_.write(checkpoint, task_.scene_toml, remarks_);
+      writer_->write(std::move(checkpoint));
     } catch (const mpm::FileError& error) {
       trouble_ = error.what();
     } catch (const specimen::Error& error) {
@@ -52,17 +80,37 @@ class Keeper {
     }
   }
 
-  void report(double wall_time, Console& console) const {
-    if (!trouble_.empty()) console.say("warning: the last checkpoint is missing: " + trouble_);
-    if (folder_.written() > 0 && task_.remarks.checkpoint_every > 0)
-      console.say(fmt::format("{} written in {:.3f} s, {:.2f} % of the run",
-                              counted(folder_.written(), "checkpoint"), folder_.wall_time(),
-                              100 * folder_.wall_time() / wall_time));
+  /// Once no more come; waits for the last.
+  void close() {
+    writer_->wait();
+    if (trouble_.empty()) trouble_ = writer_->trouble();
+    writer_.reset();
+  }
+
+  void report(double wall_time) const {
+    if (!trouble_.empty()) console_.say("warning: the last checkpoint is missing: " + trouble_);
+    if (folder_.written() > 0 && every_ > 0)
+      console_.say(fmt::format("{} written in {:.3f} s beside the run of {:.3f} s",
+                               counted(folder_.written(), "checkpoint"), folder_.wall_time(), wall_time));
   }
   [[nodiscard]] bool has_kept() const { return folder_.written() > 0 || task_.from; }
   void remove() const { folder_.remove(); }
 
  private:
+  void warn(const std::string& text) {
+    if (std::exchange(warned_, true)) return;
+    console_.say((console_.err_is_terminal ? "\n" : "") + ("warning: " + text));
+  }
+
+  /// @param exposed  what a kill may lose, or could have lost until the last one was on the disk [s].
+  void warn_of_delay(double exposed, const std::string& why) {
+    if (exposed < 1.5 * every_) return;
+    warn(
+        fmt::format("checkpoints come late, a kill may lose {:.2g} s instead of {:g} s: {}; choose a longer "
+                    "--checkpoint-every",
+                    exposed, every_, why));
+  }
+
   /// With these the folder is enough to go on from.
   void write_scene() {
     mpm::replace_file((task_.folder / "scene.toml").string(), task_.scene_toml);
@@ -71,10 +119,15 @@ class Keeper {
   }
 
   const RunTask& task_;
+  Console& console_;
+  double every_;  ///< wall time between two [s]; 0 = only when the run is ended
   CheckpointFolder folder_;
-  std::string remarks_;
   bool has_scene_;
-  std::string trouble_;  ///< why there is no last one
+  bool warned_ = false;
+  double asked_ = 0;        ///< at the last row, since the state of the last one [s]
+  double kept_before_ = 0;  ///< from the state of the one before the last to that of the last [s]
+  std::string trouble_;     ///< why there is no last one
+  std::optional<CheckpointWriter> writer_;
 };
 
 std::string percent_text(double error) { return output::rounded(100 * error, 2) + " %"; }
@@ -176,6 +229,7 @@ Exit exit_of(const Outcome& outcome, const RunTask& task, const Keeper& keeper, 
 
 Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   const HeldFolder held(task.folder);
+  for (const char* part : {"", "frames", "checkpoints"}) remove_remainders(task.folder / part);
   Job& job = task.job;
   RunSubject subject{job.specimen,       job.scene,
                      task.scene_toml,    specimen::sha256_of_text(task.scene_toml),
@@ -185,18 +239,20 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
     view.emplace(subject, *task.port);
     console.err << "watch the run at " << view->address() << std::endl;
   }
-  Keeper keeper(task);
-  FrameFolder frames(task.folder, job.scene, task.from ? task.from->frames : std::vector<mpm::FrameTaken>());
+  Keeper keeper(task, console);
+  FrameFolder frames(task.folder, job.scene, task.from ? task.from->frames : std::vector<mpm::FrameTaken>(),
+                     run_digest(task.scene_toml, job.scene));
   mpm::RunHooks hooks;
   if (view) hooks.observer = [&](const mpm::Progress& progress) { return view->look(progress); };
   hooks.frames = frame_sink(frames, console);
-  hooks.checkpoints = {[&](const mpm::Checkpoint& checkpoint) { keeper.keep(checkpoint); },
-                       task.remarks.checkpoint_every};
+  hooks.checkpoints = {[&](mpm::Checkpoint checkpoint) { keeper.keep(std::move(checkpoint)); },
+                       task.remarks.checkpoint_every, [&](double since) { return keeper.is_due(since); }};
   if (!task.from && !console.quiet)
     if (const std::string length = announcement(job.scene); !length.empty()) console.say(length);
   const Outcome outcome =
       solve(job.scene, console, guard, std::move(hooks), task.from ? &*task.from : nullptr);
-  keeper.report(outcome.result.wall_time, console);
+  keeper.close();
+  keeper.report(outcome.result.wall_time);
   const std::size_t told = job.notes.size();
   const output::ErrorEstimate estimate = task.remarks.estimate_error
                                              ? estimate_of(outcome, job, second_run(console, guard))
@@ -229,6 +285,7 @@ void say_how_it_ended(const fs::path& folder, const std::vector<std::string>& fa
     throw Rejected(Exit::data, "--resume", folder.string() + " has no checkpoint that can be read", "",
                    "begin the run anew");
   const fs::path result = folder / "result.h5";
+  if (fs::exists(result)) check_one_run(folder.string());
   if (!fs::exists(result) || read_result(result.string()).stop == mpm::StopReason::interrupted)
     throw Rejected(Exit::data, "--resume", folder.string() + " has no checkpoint", "",
                    "begin the run anew, with --checkpoint-every to have some");

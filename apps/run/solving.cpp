@@ -1,11 +1,13 @@
 #include "apps/run/solving.hpp"
 
+#include <fmt/format.h>
 #include <utility>
 
 #include "apps/live/progress_line.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/run/run_remarks.hpp"
 #include "apps/text/figures.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 
@@ -84,6 +86,11 @@ std::string drop_note(const mpm::Result& result, const mpm::Scene& scene) {
 std::vector<Remark> remarks_on(const Outcome& outcome, const mpm::Scene& scene) {
   if (!outcome.divergence.empty()) return {{outcome.divergence, ""}};
   std::vector<Remark> remarks;
+  if (const std::int64_t missing = outcome.result.missing_threads; missing > 0)
+    remarks.push_back(
+        {fmt::format("the system gave {} of {}; the run took those, which changes no bit",
+                     outcome.result.threads, counted(outcome.result.threads + missing, "thread")),
+         "note"});
   if (outcome.result.nothing_carries)
     remarks.push_back({"nothing carries load any more: every point has failed; the run ended at strain " +
                            strain_text(outcome.result.history.back().strain),

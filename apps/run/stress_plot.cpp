@@ -38,8 +38,9 @@ fs::path nearest_frame(const std::vector<fs::path>& frames, double strain) {
 void check_belongs(const mpm::Frame& frame, const fs::path& file, const ReadRun& run) {
   const std::size_t ids = run.specimen.mask.labels.size() + run.scene.extra_points.size();
   const auto rows = static_cast<std::int64_t>(run.result.history.size());
-  const bool fits =
-      (frame.points.empty() || frame.points.back().id < ids) && frame.row >= 0 && frame.row < rows;
+  const bool is_named_otherwise = !frame.run.empty() && !run.run.empty() && frame.run != run.run;
+  const bool fits = !is_named_otherwise && (frame.points.empty() || frame.points.back().id < ids) &&
+                    frame.row >= 0 && frame.row < rows;
   if (!fits)
     throw Rejected(Exit::data, file.string(), "is no frame of this run", "",
                    "take the folder as one run has written it");

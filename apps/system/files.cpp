@@ -7,8 +7,11 @@
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <system_error>
 #include <utility>
 
@@ -94,7 +97,45 @@ int hold(const fs::path& lock) {
   }
 }
 
+/// The process that writes the file of that name for now: "x.12-3.tmp" or "x.tmp-12-3"; 0 = no such name.
+int writer_of(const std::string& name) {
+  static const std::regex pattern(R"(.+[.](?:([0-9]{1,9})-[0-9]+[.]tmp|tmp-([0-9]{1,9})-[0-9]+))");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, pattern)) return 0;
+  return std::stoi(parts[1].matched ? parts[1] : parts[2]);
+}
+
 }  // namespace
+
+namespace {
+
+template <class IsDoomed>
+void remove_temporary(const fs::path& folder, const IsDoomed& is_doomed) {
+  std::error_code error;
+  std::vector<fs::path> doomed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const int writer = writer_of(entry.path().filename().string());
+    if (writer > 0 && is_doomed(entry, writer)) doomed.push_back(entry.path());
+  }
+  for (const fs::path& path : doomed) fs::remove(path, error);
+}
+
+}  // namespace
+
+void remove_remainders(const fs::path& folder) {
+  remove_temporary(folder, [](const fs::directory_entry&, int writer) {
+    // In containers every program may have the number of this one.
+    return writer == ::getpid() || (::kill(writer, 0) != 0 && errno == ESRCH);
+  });
+}
+
+void remove_old_remainders(const fs::path& folder) {
+  remove_temporary(folder, [](const fs::directory_entry& entry, int) {
+    std::error_code error;
+    const fs::file_time_type written = entry.last_write_time(error);
+    return !error && fs::file_time_type::clock::now() - written > std::chrono::hours(1);
+  });
+}
 
 HeldFolder::HeldFolder(const fs::path& folder)
     : lock_(folder / "in_progress.lock"), descriptor_(hold(lock_)) {}

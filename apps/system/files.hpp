@@ -42,6 +42,15 @@ class Attempts {
 
 namespace app {
 
+/// Removes what programs that are gone left in a folder: files on their way to the disk, under the names that
+/// both libraries give them. Those of other programs that run stay.
+/// @pre the folder is held: programs on other machines are not seen, and this one writes nothing there yet.
+void remove_remainders(const std::filesystem::path& folder);
+
+/// The same in a folder that several machines write to: a file on its way to the disk for more than an hour
+/// is on no way any more.
+void remove_old_remainders(const std::filesystem::path& folder);
+
 /// While it lives, no other program can hold the folder. A program that is killed holds nothing any more; its
 /// file, in_progress.lock, may stay.
 class HeldFolder {

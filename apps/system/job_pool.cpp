@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace app {
@@ -66,7 +67,11 @@ std::size_t run_jobs(const std::vector<std::function<void()>>& jobs, int workers
   {
     std::vector<std::jthread> threads;
     const int useful = std::min(workers, static_cast<int>(jobs.size()));
-    for (int i = 0; i < useful; ++i) threads.emplace_back([&queue] { queue.work(); });
+    try {
+      for (int i = 0; i < useful; ++i) threads.emplace_back([&queue] { queue.work(); });
+    } catch (const std::system_error&) {  // the system gives no more of them
+      if (threads.empty()) queue.work();
+    }
   }
   return queue.result();
 }

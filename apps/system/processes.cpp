@@ -25,21 +25,28 @@ namespace app {
 namespace {
 
 volatile std::sig_atomic_t noted = 0;
+volatile std::sig_atomic_t keys = 0;  ///< how often Ctrl-C was pressed
 
 extern "C" void note_signal(int signal) {
   noted = 1;
-  // A second Ctrl-C ends the program. A second SIGTERM does not: timeout and batch systems send it twice at
-  // once.
-  if (signal == SIGINT) std::signal(signal, SIG_DFL);
+  // A third Ctrl-C ends the program; the second may come while the results so far are being written. A second
+  // SIGTERM changes nothing: timeout and batch systems send it twice at once.
+  if (signal == SIGINT) {
+    keys = keys + 1;
+    if (keys > 1) std::signal(signal, SIG_DFL);
+  }
 }
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
   noted = 0;
+  keys = 0;
   std::signal(SIGINT, note_signal);
   std::signal(SIGTERM, note_signal);
   std::signal(SIGUSR1, note_signal);
+  hang_up_before_ = std::signal(SIGHUP, note_signal);
+  if (hang_up_before_ == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup has it
   pipe_before_ = std::signal(SIGPIPE, SIG_IGN);
 }
 
@@ -47,6 +54,7 @@ InterruptGuard::~InterruptGuard() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGUSR1, SIG_DFL);
+  std::signal(SIGHUP, hang_up_before_);
   std::signal(SIGPIPE, pipe_before_);
 }
 

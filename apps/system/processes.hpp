@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// While it lives, SIGINT, SIGTERM, and SIGUSR1, by which batch systems tell that time is nearly up, are only
-/// noted; a second SIGINT ends the program at once. Nor does the program end because nobody reads any more
-/// what it says.
+/// While it lives, SIGINT, SIGTERM, SIGHUP of a terminal that closes, and SIGUSR1, by which batch systems
+/// tell that time is nearly up, are only noted; a third SIGINT ends the program at once. Nor does the program
+/// end because nobody reads any more what it says.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -20,6 +20,7 @@ class InterruptGuard {
   [[nodiscard]] bool interrupted() const;
 
  private:
+  void (*hang_up_before_)(int);
   void (*pipe_before_)(int);
 };
 

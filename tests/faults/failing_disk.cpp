@@ -7,6 +7,8 @@
 //   FAULT_MODE    once    that call alone
 //                 onward  as a full disk: from there on all that need space fail; close and rename do not
 //                 short   a write writes half of what it was given, and says so; other calls are well
+//                 kill    the program is gone before the call
+//                 stall   only fsync is counted, and that call takes FAULT_SECONDS longer
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -17,6 +19,7 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstdarg>
 #include <cstdlib>
 #include <string>
@@ -64,11 +67,18 @@ Verdict judge(std::string_view call, const std::string& path) {
   static const long at = number("FAULT_AT");
   static const std::string mode(setting("FAULT_MODE"));
   const int before = errno;
-  if (path.compare(0, folder.size(), folder) != 0) return Verdict::pass;
+  if (path.compare(0, folder.size(), folder) != 0 || (mode == "stall" && call != "fsync"))
+    return Verdict::pass;
   const long count = ++calls;
   const bool hit = at > 0 && (mode == "onward" ? count >= at && needs_space(call) : count == at) &&
                    (mode != "short" || call == "write");
   log((hit ? "FAULT " : "") + std::string(call) + " " + path + "\n");
+  if (hit && mode == "kill") (void)::kill(::getpid(), SIGKILL);
+  if (hit && mode == "stall") {
+    const double seconds = std::strtod(std::string(setting("FAULT_SECONDS")).c_str(), nullptr);
+    ::usleep(static_cast<useconds_t>(1e6 * seconds));
+    return Verdict::pass;
+  }
   errno = hit && mode != "short" ? static_cast<int>(number("FAULT_ERROR")) : before;
   if (!hit) return Verdict::pass;
   return mode == "short" ? Verdict::shorten : Verdict::fail;

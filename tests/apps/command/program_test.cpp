@@ -5,9 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "libmpm/files/frame_file.hpp"
+#include "libmpm/files/table_file.hpp"
 #include "specimen/file/specimen_file.hpp"
 #include "specimen/picture/picture.hpp"
 #include "tests/apps/program_in_folder.hpp"
+#include "tests/libmpm/sample_scenes.hpp"
 
 namespace program_test {
 
@@ -205,12 +208,29 @@ TEST_F(Program, InspectTellsWhatIsInASpecimenAndAPicture) {
   EXPECT_NEAR(figures["pixel_size_m"].get<double>(), 1e-3, 1e-6);
 }
 
+TEST_F(Program, InspectTellsWhatIsInAFrameAndATable) {
+  mpm::Frame frame;
+  frame.step = 7;
+  frame.strain = 2e-4;
+  mpm::write_frame("p.hdf", frame, samples::mortar_block(2, 2));
+  EXPECT_EQ(run({"inspect", "p.hdf"}), Exit::ok) << err_.str();
+  EXPECT_EQ(out_.str(), "frame of 0 points at strain 200e-6, after 7 steps\n");
+  mpm::write_table("t.h5", {{"peak", "Pa", "largest stress", std::vector<double>{1, 2}}});
+  EXPECT_EQ(run({"inspect", "t.h5"}), Exit::ok) << err_.str();
+  EXPECT_EQ(out_.str(), "table of 2 rows and 1 columns\n  peak [Pa]: largest stress\n");
+  std::string bytes = test::read_text("t.h5");
+  bytes[bytes.size() / 2] ^= 1;
+  test::write_text("t.h5", bytes);
+  EXPECT_EQ(run({"inspect", "t.h5", "--json"}), Exit::data);
+  EXPECT_THAT(err_.str(), HasSubstr("t.h5: is damaged: its digest does not match its bytes"));
+}
+
 TEST_F(Program, InspectRefusesScenesAndOtherFiles) {
   test::write_text("scene.toml", "");
-  expect_refusal(
-      {"inspect", "scene.toml"}, Exit::usage,
-      "scene.toml: is a scene; must be a specimen, a result, a run folder or a picture; mesopix simulate "
-      "--print-scene scene.toml resolves it");
+  expect_refusal({"inspect", "scene.toml"}, Exit::usage,
+                 "scene.toml: is a scene; must be a specimen, a result, a run folder, a frame, a table or a "
+                 "picture; mesopix simulate "
+                 "--print-scene scene.toml resolves it");
   test::write_text("note.txt", "words");
   EXPECT_EQ(run({"inspect", "note.txt"}), Exit::data);
   EXPECT_THAT(err_.str(), StartsWith("mesopix: note.txt: "));

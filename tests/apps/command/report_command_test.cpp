@@ -58,11 +58,13 @@ TEST_F(ReportCommand, TellsFoldersOfTheSameNameApart) {
 }
 
 TEST_F(ReportCommand, RefusesWhatIsNoPairOfRuns) {
-  EXPECT_EQ(run({"one"}), Exit::usage);
+  EXPECT_EQ(run({"one", "-o", "one.html"}), Exit::usage);
   EXPECT_EQ(
       err_.str(),
-      "mesopix: RUN: 1 given; must be two runs at least; the report of a single run is report.html in its "
+      "mesopix: -o: one.html; is for two runs or more; the report of a single run is report.html in its "
       "folder\n");
+  EXPECT_EQ(run({"one"}), Exit::data) << "whose result is of another specimen";
+  EXPECT_THAT(err_.str(), HasSubstr("specimen.h5 and result.h5 have other shapes"));
   EXPECT_EQ(run({"one", "one"}), Exit::usage);
   EXPECT_THAT(err_.str(), HasSubstr("must not be given twice"));
   EXPECT_EQ(run(std::vector<std::string>(11, "one")), Exit::usage);

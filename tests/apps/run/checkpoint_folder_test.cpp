@@ -103,4 +103,38 @@ TEST_F(CheckpointFolder, SaysWhereItCannotBeMade) {
   EXPECT_THROW(write(1), mpm::FileError);
 }
 
+mpm::Checkpoint checkpoint_of(std::int64_t step) {
+  mpm::Checkpoint checkpoint;
+  checkpoint.instruction_set = "avx2";
+  checkpoint.step = step;
+  return checkpoint;
+}
+
+TEST_F(CheckpointFolder, IsWrittenBesideTheRun) {
+  {
+    app::CheckpointWriter writer(folder_, "a = 1\n", "remarks");
+    for (std::int64_t step = 1; step <= 5; ++step) writer.write(checkpoint_of(step));
+    writer.wait();
+    EXPECT_FALSE(writer.is_busy());
+    EXPECT_GT(writer.last_time(), 0);
+    EXPECT_EQ(writer.trouble(), "");
+    writer.write(checkpoint_of(6));
+  }
+  EXPECT_EQ(folder_.written(), 6) << "none is left behind at the end";
+  EXPECT_EQ(folder_.last().last->file.checkpoint.step, 6);
+  EXPECT_EQ(folder_.last().last->file.remarks, "remarks");
+}
+
+TEST_F(CheckpointFolder, KeepsWhyOneIsMissingForTheRun) {
+  test::write_text(run_, "a file");
+  app::CheckpointWriter writer(folder_, "", "");
+  writer.write(checkpoint_of(1));
+  writer.wait();
+  EXPECT_THAT(writer.trouble(), HasSubstr("cannot be created"));
+  fs::remove(run_);
+  writer.write(checkpoint_of(2));
+  writer.wait();
+  EXPECT_EQ(writer.trouble(), "");
+}
+
 }  // namespace checkpoint_folder_test

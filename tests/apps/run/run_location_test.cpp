@@ -7,8 +7,10 @@
 
 #include "apps/command/program.hpp"
 #include "apps/report/report.hpp"
+#include "apps/run/run_folder.hpp"
 #include "apps/text/complaint.hpp"
 #include "libmpm/scene/error.hpp"
+#include "specimen/file/specimen_file.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
 namespace run_location_test {
@@ -120,6 +122,77 @@ TEST_F(RunReader, RefusesAFolderWhoseFilesDoNotBelongTogether) {
             app::Exit::ok)
       << err.str();
   EXPECT_THROW((void)app::read_run(run_), app::Rejected);
+}
+
+TEST_F(RunReader, RefusesTheResultOfAnotherRun) {
+  const std::string before = test::read_text(run_ + "/scene.toml");
+  test::write_text(run_ + "/scene.toml", before + "# of another run\n");
+  EXPECT_THROW(app::check_one_run(run_), app::Rejected);
+  EXPECT_THROW((void)app::read_run(run_), app::Rejected);
+  test::write_text(run_ + "/scene.toml", before);
+  EXPECT_NO_THROW(app::check_one_run(run_));
+  std::string summary = test::read_text(run_ + "/summary.json");
+  summary.at(summary.find("\"run\": \"") + 8) = 'x';
+  test::write_text(run_ + "/summary.json", summary);
+  EXPECT_THROW(app::check_one_run(run_), app::Rejected);
+}
+
+TEST_F(RunReader, ARunThatBeginsAnewTakesTheOldResultsAway) {
+  specimen::Specimen other = app::read_run(run_).specimen;
+  other.mask.pixel_size *= 2;
+  retire_results(run_, "[loading]\n", other);
+  EXPECT_EQ(test::read_text(run_ + "/scene.toml"), "[loading]\n");
+  EXPECT_EQ(specimen::read_specimen(run_ + "/specimen.h5").mask.pixel_size, other.mask.pixel_size);
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(run_)) files += entry.is_regular_file() ? 1 : 0;
+  EXPECT_EQ(files, 2U) << "scene and specimen alone";
+  fs::remove(run_ + "/scene.toml");
+  retire_results(run_, "[loading]\n", other);
+  EXPECT_FALSE(fs::exists(run_ + "/scene.toml")) << "there were no results";
+}
+
+class MadeAgain : public RunReader {
+ protected:
+  void make(const std::string& run) {
+    std::ostringstream out, err;
+    app::Console console{out, err, false, false, {}};
+    ASSERT_EQ(app::run_program({"report", run}, console), app::Exit::ok) << err.str();
+  }
+};
+
+TEST_F(MadeAgain, AreFilesThatADiskHasNotTaken) {
+  const std::string page = test::read_text(run_ + "/report.html"),
+                    summary = test::read_text(run_ + "/summary.json");
+  for (const auto& entry : fs::directory_iterator(run_))
+    if (entry.path().filename() != "result.h5") fs::remove_all(entry.path());
+  make(run_);
+  EXPECT_EQ(test::read_text(run_ + "/report.html"), page);
+  EXPECT_EQ(test::read_text(run_ + "/summary.json"), summary);
+  for (const char* name :
+       {"scene.toml", "specimen.h5", "specimen.png", "curve.csv", "curve.png", "damage_100.png"})
+    EXPECT_TRUE(fs::exists(fs::path(run_) / name)) << name;
+  EXPECT_NO_THROW((void)app::read_run(run_));
+}
+
+/// As those of a part of the run that was interrupted, beside the result of the whole.
+TEST_F(MadeAgain, AreFilesThatAreOld) {
+  const std::string page = test::read_text(run_ + "/report.html");
+  test::write_text(run_ + "/report.html", "<p>half a run</p>");
+  make(run_ + "/result.h5");
+  EXPECT_EQ(test::read_text(run_ + "/report.html"), page);
+}
+
+TEST_F(MadeAgain, IsTheErrorOfThePeakToo) {
+  const app::ReadRun read = app::read_run(run_);
+  RunRecord record = read.record();
+  record.error_estimate.sources = {{"loading rate", "0.025 m/s", 1e6, 1e-5, 0.01, 0.02, 0.5}};
+  record.notes = {"a note of the run"};
+  write_run(run_, record);
+  const std::string page = test::read_text(run_ + "/report.html");
+  make(run_);
+  EXPECT_EQ(test::read_text(run_ + "/report.html"), page);
+  EXPECT_NE(page.find("0.025 m/s"), std::string::npos);
+  EXPECT_NE(page.find("a note of the run"), std::string::npos);
 }
 
 TEST_F(RunReader, RefusesWhatIsNoRun) {

@@ -2,8 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <optional>
+#include <vector>
 
 #include "apps/text/complaint.hpp"
 #include "libmpm/scene/error.hpp"
@@ -83,6 +87,42 @@ TEST(Attempts, LetsWhatIsNoFaultOfTheDiskPass) {
   EXPECT_THROW(attempt([] { throw specimen::Error("mask", "empty", ""); }), specimen::Error);
   EXPECT_THROW(attempt([] { throw std::logic_error("a bug"); }), std::logic_error);
   EXPECT_NO_THROW(attempt.conclude());
+}
+
+/// A number that no process has.
+pid_t process_that_is_gone() {
+  const pid_t process = ::fork();
+  if (process == 0) ::_exit(0);
+  ::waitpid(process, nullptr, 0);
+  return process;
+}
+
+TEST(Remainders, OfProgramsThatAreGoneAreRemoved) {
+  const test::TemporaryFolder folder;
+  const std::string gone = std::to_string(process_that_is_gone()), here = std::to_string(::getpid()),
+                    other = std::to_string(::getppid());
+  const std::vector<std::string> doomed{"scene.toml." + gone + "-0.tmp", "specimen.h5.tmp-" + gone + "-12",
+                                        "result.h5." + here + "-3.tmp"};
+  const std::vector<std::string> kept{
+      "result.h5." + other + "-3.tmp", "notes.tmp",          "x." + gone + ".tmp", "x.tmp-" + gone,
+      "." + gone + "-0.tmp",           "x.99999999999-0.tmp"};
+  for (const auto* names : {&doomed, &kept})
+    for (const std::string& name : *names) test::write_text(folder / name, "");
+  app::remove_remainders(folder / "");
+  for (const std::string& name : doomed) EXPECT_FALSE(fs::exists(folder / name)) << name;
+  for (const std::string& name : kept) EXPECT_TRUE(fs::exists(folder / name)) << name;
+  app::remove_remainders(folder / "none");
+}
+
+TEST(Remainders, ThatAreOldAreRemovedWhoeverWroteThem) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"old.h5.1-0.tmp", "new.h5.1-1.tmp", "old.h5"}) test::write_text(folder / name, "");
+  for (const char* name : {"old.h5.1-0.tmp", "old.h5"})
+    fs::last_write_time(folder / name, fs::file_time_type::clock::now() - std::chrono::hours(2));
+  app::remove_old_remainders(folder / "");
+  EXPECT_FALSE(fs::exists(folder / "old.h5.1-0.tmp"));
+  EXPECT_TRUE(fs::exists(folder / "new.h5.1-1.tmp"));
+  EXPECT_TRUE(fs::exists(folder / "old.h5"));
 }
 
 class HeldFolder : public testing::Test {

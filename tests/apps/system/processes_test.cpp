@@ -83,12 +83,29 @@ TEST(MemoryLimitDeathTest, TurnsTooLargeAWishIntoAnError) {
 }
 #endif
 
-TEST(InterruptGuard, NotesTheFirstSignalOnly) {
+TEST(InterruptGuard, NotesTwoOfThemAndEndsAtTheThird) {
   const app::InterruptGuard guard;
   EXPECT_FALSE(guard.interrupted());
   std::raise(SIGINT);
   EXPECT_TRUE(guard.interrupted());
-  EXPECT_EQ(std::signal(SIGINT, SIG_IGN), SIG_DFL);  // a second one would have ended the program
+  std::raise(SIGINT);  // while what there is so far is written
+  EXPECT_TRUE(guard.interrupted());
+  EXPECT_EQ(std::signal(SIGINT, SIG_IGN), SIG_DFL);  // a third one would have ended the program
+}
+
+TEST(InterruptGuard, NotesATerminalThatCloses) {
+  {
+    const app::InterruptGuard guard;
+    std::raise(SIGHUP);
+    EXPECT_TRUE(guard.interrupted());
+  }
+  std::signal(SIGHUP, SIG_IGN);
+  {
+    const app::InterruptGuard guard;
+    std::raise(SIGHUP);
+    EXPECT_FALSE(guard.interrupted()) << "as nohup asks for";
+  }
+  EXPECT_EQ(std::signal(SIGHUP, SIG_DFL), SIG_IGN);
 }
 
 // As timeout(1) sends it: to the program, and to its group.
