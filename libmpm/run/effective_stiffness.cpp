@@ -119,7 +119,7 @@ NodeField Specimen::tractions(const Uniform& stress) const {
 
 bool Specimen::is_solid(int row, int col) const {
   for (int plane = 0; plane < points_.planes; ++plane)
-    if (label(row, plane, col) != nullptr) return true;
+    if (label({row, plane, col}) != nullptr) return true;
   return false;
 }
 
@@ -129,7 +129,7 @@ bool Specimen::has_void(const Side& side) const {
   along(side, [&](int row, int col) {
     for (int i = 0; i < k; ++i) {
       const int depth = side.direction > 0 ? k - 1 : 0;
-      found |= label(row, side.axis == 0 ? i * k + depth : depth * k + i, col) == nullptr;
+      found |= label({row, side.axis == 0 ? i * k + depth : depth * k + i, col}) == nullptr;
     }
   });
   return found;
@@ -211,7 +211,7 @@ class Homogenisation {
 };
 
 Solved Homogenisation::solve(NodeField u, const NodeField* load) {
-  solved_ &= gradients_.solve(u, 0, exactness, load);
+  solved_ &= gradients_.solve(u, {.accuracy = exactness}, load);
   NodeField forces = gradients_.unbalanced(u);
   for (AlignedVector<double>* values : {&forces.x, &forces.y})
     for (double& value : *values) value = -value;

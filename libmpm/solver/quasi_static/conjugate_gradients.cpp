@@ -1,6 +1,7 @@
 #include "libmpm/solver/quasi_static/conjugate_gradients.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -9,7 +10,6 @@
 namespace mpm {
 namespace {
 
-constexpr int most_iterations = 2000;  ///< of one solve
 /// Share of the squared error down to which the bits follow it [-].
 template <class Real>
 constexpr double followed = sizeof(Real) == sizeof(float) ? 1e-6 : 0;
@@ -133,7 +133,7 @@ double GradientsOf<Real>::turn(Real factor) {
         kernels_.turn(nodes_, factor, std::as_const(preconditioned_).from(at), direction_.from(at));
       },
       [&](int /*sweep*/, int row, auto& lower, auto& upper) {
-        fine_.forces(row, direction_, lower.forces(), upper.forces());
+        fine_.correction_forces(row, direction_, lower.forces(), upper.forces());
       },
       [&](int /*sweep*/, int row, const auto& below, const auto& above) {
         const std::size_t at = grid_.node(row, 0);
@@ -165,23 +165,24 @@ void GradientsOf<Real>::advance(Real factor, NodeField& u) {
 }
 
 template <class Real>
-bool GradientsOf<Real>::solve(NodeField& u, double reduction, double accuracy, const NodeField* load) {
+bool GradientsOf<Real>::solve(NodeField& u, const SolutionGoal& goal, const NodeField* load) {
   const FlushToZero flush;
   // Twice that of the displacements; what an iteration wins lowers it without loads, and raises it with them.
   double energy = find_residual(u, load);
   const double least = no_energy * energy;
-  double goal = 0;
+  double wanted = 0;
   double left = 0;   // about the square of the error in the norm of the energy
   double fresh = 0;  // what it was when the residual was last computed from the displacements
   const auto is_reached = [&] {
-    return left <= std::max(goal, accuracy * accuracy * std::max(energy, least));
+    return left <= std::max(wanted, goal.accuracy * goal.accuracy * std::max(energy, least));
   };
-  for (int i = 0; i < most_iterations; ++i, ++iterations_) {
+  for (int i = 0; i < goal.iterations; ++i, ++iterations_) {
     multigrid_.precondition(residual_, preconditioned_, image_);
     const double before = left;
     left = product(residual_, preconditioned_);
     if (i == 0) {
-      goal = reduction * reduction * left;
+      wanted = std::max(goal.reduction * goal.reduction * left, goal.error * goal.error);
+      error_at_start_ = std::sqrt(std::max(left, 0.0));
       fresh = left;
     }
     if (is_reached()) break;

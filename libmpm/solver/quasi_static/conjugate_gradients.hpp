@@ -13,6 +13,14 @@
 
 namespace mpm {
 
+/// When a solution is good enough.
+struct SolutionGoal {
+  double reduction = 0;   ///< of the error in the norm of the energy, over what it is at the start [-]
+  double accuracy = 0;    ///< or error over the solution in that norm [-]
+  double error = 0;       ///< or error in that norm, as of error_at_start()
+  int iterations = 2000;  ///< after which it is given up
+};
+
 /// @tparam Real  of what corrects the displacements.
 template <class Real>
 class GradientsOf {
@@ -23,11 +31,11 @@ class GradientsOf {
 
   /// Improves displacements whose components at held nodes are right; on a wrapped grid whose differences
   /// between copy and original are.
-  /// @param reduction  of the error in the norm of the energy, over what it is at the start [-]
-  /// @param accuracy  error over the solution in that norm that is always good enough [-]
   /// @param load  at the nodes, in the unit of FineGrid::forces(); none = zero.
-  /// @return whether one of both was reached.
-  [[nodiscard]] bool solve(NodeField& u, double reduction, double accuracy, const NodeField* load = nullptr);
+  /// @return whether the goal was reached.
+  [[nodiscard]] bool solve(NodeField& u, const SolutionGoal& goal, const NodeField* load = nullptr);
+  /// Of the last solve, in the norm of the energy; its unit is that of FineGrid::forces() times a length.
+  [[nodiscard]] double error_at_start() const { return error_at_start_; }
 
   /// Load minus stiffness times u at every node: what holds it there. Valid until the next call.
   [[nodiscard]] const NodeField& unbalanced(const NodeField& u, const NodeField* load = nullptr);
@@ -64,6 +72,7 @@ class GradientsOf {
   NodeField unbalanced_;  ///< empty until it is asked for
   Correction residual_, preconditioned_, direction_, image_;
   std::vector<double> row_sums_, row_forces_;
+  double error_at_start_ = 0;
   std::int64_t iterations_ = 0;
 };
 
@@ -74,9 +83,11 @@ class ConjugateGradients {
   ConjugateGradients(const FineGrid& fine, Multigrid& multigrid);
 
   /// See GradientsOf.
-  [[nodiscard]] bool solve(NodeField& u, double reduction, double accuracy, const NodeField* load = nullptr) {
-    return single_ ? single_->solve(u, reduction, accuracy, load)
-                   : whole_->solve(u, reduction, accuracy, load);
+  [[nodiscard]] bool solve(NodeField& u, const SolutionGoal& goal, const NodeField* load = nullptr) {
+    return single_ ? single_->solve(u, goal, load) : whole_->solve(u, goal, load);
+  }
+  [[nodiscard]] double error_at_start() const {
+    return single_ ? single_->error_at_start() : whole_->error_at_start();
   }
   [[nodiscard]] const NodeField& unbalanced(const NodeField& u, const NodeField* load = nullptr) {
     return single_ ? single_->unbalanced(u, load) : whole_->unbalanced(u, load);

@@ -1,6 +1,7 @@
 #include "libmpm/solver/quasi_static/equilibrium.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "libmpm/kernels/instruction_set.hpp"
 
@@ -8,6 +9,23 @@ namespace mpm {
 namespace {
 
 constexpr double accuracy = 1e-7;  ///< of the displacements in the norm of the energy [-]
+/// Error over that scale at which the solution of cracks that close counts as none [-].
+constexpr double least_accuracy = 1e-2;
+/// Error over that scale that is never left if it can be helped: what is torn through would carry it on [-].
+constexpr double much = 1e-5;
+constexpr double of_step = 0.05;         ///< error that one leaves of its linear problem [-]
+constexpr int iterations_of_step = 20;   ///< after which one is taken as it is
+constexpr int most_trials = 8;           ///< of the length of one
+constexpr double search_accuracy = 0.2;  ///< of the slope of the energy at that length [-]
+constexpr double longest_step = 4;       ///< over that of Newton's method [-]
+
+/// sum = a + factor b
+void combine(const NodeField& a, double factor, const NodeField& b, NodeField& sum) {
+  for (std::size_t at = 0; at < sum.x.size(); ++at) {
+    sum.x[at] = a.x[at] + factor * b.x[at];
+    sum.y[at] = a.y[at] + factor * b.y[at];
+  }
+}
 
 }  // namespace
 
@@ -15,7 +33,11 @@ Equilibrium::Equilibrium(const Scene& scene, const Plan& plan, const StrengthFac
     : LatticeCells(scene, plan, factors), u_(shape().zeros()) {
   find_pinned_node();
   move_platens();
+  for (int row = 0; row < plan_.cells_y; ++row)
+    separate_.follow(row, caution_, [&](int cell) { return loaded(row, cell); });
+  (void)separate_.changed();
   make_multigrid();
+  scale_ = std::sqrt(-dot(shape(), u_, gradients_->unbalanced(u_)));
 }
 
 void Equilibrium::make_multigrid() {
@@ -25,15 +47,49 @@ void Equilibrium::make_multigrid() {
   gradients_ = std::make_unique<ConjugateGradients>(fine, *multigrid_);
 }
 
-bool Equilibrium::restore(const AlignedVector<double>& stiffness, const AlignedVector<double>& shear) {
+Equilibrium::Points Equilibrium::all_points() const {
+  Points all{points_.stiffness, points_.shear, {}, {}, {}, separate_.told()};
+  for (std::size_t at = 0; at < points_in_all(); ++at)
+    if (const auto state = separate_.state(at)) {
+      all.at.push_back(at);
+      all.kept.push_back(state->kept);
+      all.cracked.push_back(state->cracked);
+    }
+  return all;
+}
+
+bool Equilibrium::restore(const Points& points) {
   const auto possible = [](const AlignedVector<double>& now, const AlignedVector<double>& intact) {
     return std::equal(now.begin(), now.end(), intact.begin(), intact.end(),
                       [](double a, double b) { return a >= 0 && a <= b; });
   };
-  if (!possible(stiffness, points_.stiffness) || !possible(shear, points_.shear)) return false;
-  take_over(stiffness, shear);
+  if (!possible(points.stiffness, points_.stiffness) || !possible(points.shear, points_.shear)) return false;
+  if (!restore_separate(points)) return false;
+  take_over(points.stiffness, points.shear);
+  follow_cracks();
+  if (!separate_.set_told(points.told)) return false;
   make_multigrid();
   return true;
+}
+
+bool Equilibrium::restore_separate(const Points& points) {
+  const std::size_t count = points.at.size();
+  if (count > 0 && !separate_.may_have_any()) return false;
+  if (points.kept.size() != count || points.cracked.size() != count) return false;
+  const auto is_share = [](double value) { return value >= 0 && value <= 1; };
+  if (!std::all_of(points.kept.begin(), points.kept.end(), is_share) ||
+      !std::all_of(points.cracked.begin(), points.cracked.end(), is_share))
+    return false;
+  std::size_t found = 0;
+  for (int row = 0; row < plan_.cells_y; ++row)
+    each_point(row, [&](const PointPlace& at) {
+      const auto place = std::lower_bound(points.at.begin(), points.at.end(), index(at));
+      if (place == points.at.end() || *place != index(at)) return;
+      const auto i = static_cast<std::size_t>(place - points.at.begin());
+      const bool possible = is_extra(at) || points.cracked[i] > 0;
+      if (possible && keep(at, points.kept[i], points.cracked[i])) ++found;
+    });
+  return found == count;
 }
 
 /// The node nearest the middle of the lower edge that touches a point.
@@ -69,9 +125,102 @@ HeldNodes Equilibrium::held(int row, int col) const {
 }
 
 bool Equilibrium::solve(double reduction) {
-  const bool solved = gradients_->solve(u_, reduction, accuracy);
+  const bool solved = separate_.any_cracked()
+                          ? settle(reduction)
+                          : gradients_->solve(u_, {.reduction = reduction, .accuracy = accuracy});
   read_reactions();
   return solved;
+}
+
+/// Newton's method: the stress of a crack is in proportion to the strain, so that a step is the linear
+/// problem with the stiffness at the displacements of now. The energy is convex, and a step goes to where it
+/// is least, so that cracks cannot open and close in turns for ever. What only open cracks hold would fly far
+/// beyond where the next one closes: as long as steps are cut short, open cracks are taken to be stiffer than
+/// they are. Pieces that lie loose between others may move on for long while hardly any energy is left to
+/// win, so that the longer it takes the less is asked.
+bool Equilibrium::settle(double reduction) {
+  take_caution(SeparatePoints::most_caution);
+  SolutionGoal goal{.reduction = of_step, .accuracy = accuracy, .iterations = iterations_of_step};
+  NodeField step = shape().zeros();
+  double wanted = 0;
+  double enough = accuracy;
+  int wait = 0;
+  int next_wait = 1;
+  for (; enough < least_accuracy; enough *= 1.26) {
+    const std::int64_t before = iterations();
+    const NodeField start = u_;
+    goal.error = std::max(wanted, enough * scale_);
+    const bool solved = gradients_->solve(u_, goal);
+    if (wanted == 0) wanted = std::min(reduction * gradients_->error_at_start(), much * scale_);
+    if (iterations() == before) return solved;
+    combine(u_, -1, start, step);
+    const double length = search(start, step);
+    if (length < 0.5) {
+      caution_ = std::min(10 * caution_, SeparatePoints::most_caution);
+      wait = next_wait;
+      next_wait = std::min(2 * next_wait, 16);
+    } else if (length >= 1 && --wait <= 0) {
+      caution_ *= 0.1;
+    }
+    follow({});
+  }
+  return false;
+}
+
+void Equilibrium::take_caution(double caution) {
+  caution_ = caution;
+  follow_cracks();
+}
+
+/// Goes from where a step began to where the energy is about least on its way.   @return the length of the
+/// way.
+double Equilibrium::search(const NodeField& start, const NodeField& step) {
+  struct End {
+    double length, slope;  // of the energy, which rises with the length
+  };
+  const double steepest = dot(shape(), step, gradients_->unbalanced(start));
+  End low{0, -steepest};
+  End high{0, 0};  // none yet
+  double length = 1;
+  for (int i = 0; i < most_trials; ++i) {
+    combine(start, length, step, u_);
+    follow_cracks();
+    const double slope = -dot(shape(), step, gradients_->unbalanced(u_));
+    if (std::abs(slope) <= search_accuracy * steepest) break;
+    const double width = high.length - low.length;
+    (slope > 0 ? high : low) = {length, slope};
+    const bool is_slow = high.length - low.length > 0.5 * width;
+    if (high.slope <= 0) {
+      if (length >= longest_step) break;
+      length *= 2;
+    } else if (is_slow && i > 0) {
+      length = 0.5 * (low.length + high.length);
+    } else {
+      length = (low.length * high.slope - high.length * low.slope) / (high.slope - low.slope);
+    }
+  }
+  return length;
+}
+
+/// Gives the cracks the stiffness of the displacements of now.
+void Equilibrium::follow_cracks() {
+  each_row([&](int row) { separate_.follow(row, caution_, [&](int cell) { return loaded(row, cell); }); });
+}
+
+/// @param changed  cells that have changed besides.
+void Equilibrium::follow(std::vector<Multigrid::Cell> changed) {
+  follow_cracks();
+  for (const SeparatePoints::Cell& cell : separate_.changed()) changed.push_back({cell.row, cell.col});
+  if (!changed.empty()) multigrid_->update(std::move(changed));
+}
+
+/// Under a platen strain in the direction of the loading, by which cracks open or close.
+CellDisplacement Equilibrium::loaded(int row, int cell) const {
+  CellDisplacement u = displacement(row, cell);
+  if (scene_.loading.direction == Direction::tension) return u;
+  for (double* v : {u.ux, u.uy})
+    for (int node = 0; node < 4; ++node) v[node] = -v[node];
+  return u;
 }
 
 void Equilibrium::read_reactions() {
@@ -83,9 +232,9 @@ void Equilibrium::read_reactions() {
 void Equilibrium::change(const std::vector<Change>& changes) {
   std::vector<Multigrid::Cell> cells;
   for (const Change& one : changes) {
-    if (keep(one.row, one.plane, one.cell, one.kept)) cells.push_back({one.row, one.cell});
+    if (keep(one.at, one.kept, one.cracked)) cells.push_back({one.at.row, one.at.cell});
   }
-  multigrid_->update(std::move(cells));
+  separate_.empty() ? multigrid_->update(std::move(cells)) : follow(std::move(cells));
 }
 
 double Equilibrium::largest_utilisation(int row, int plane, const Resistance& resistance, double sign) const {

@@ -32,23 +32,32 @@ class Equilibrium final : private LatticeCells {
 
   /// Solve for the stiffness of now, from the displacements of before.
   /// @param reduction  of the error in the norm of the energy, over what it is at the start, [-]; an error of
-  /// 1e-7 of
-  ///                   the solution is always good enough.   @return whether it was reached.
+  /// 1e-7 of the solution is always good enough.   @return whether it was reached.
   [[nodiscard]] bool solve(double reduction);
 
   /// Gives points another share of their stiffness, from the next solve on.
   struct Change {
-    int row = 0, plane = 0, cell = 0;  ///< see LatticePoints
-    double kept = 0;                   ///< share of its stiffness that remains [-]
+    PointPlace at;
+    double kept = 0;     ///< share of its stiffness that remains [-]
+    double cracked = 0;  ///< share of its tensile strength that is lost, of a crack that can close [-]
   };
   void change(const std::vector<Change>& changes);
 
   /// Moves the parts of a specimen that no longer join the platens with their platens, free of stress.
   void part(const Pieces& pieces);
 
-  /// Takes over what points() held in another run of the same scene.
+  /// All that points have gone through, as in another run of the same scene.
+  struct Points {
+    AlignedVector<double> stiffness, shear;  ///< see LatticePoints
+    /// Of points that have a crack that can close, or are extra ones.
+    std::vector<std::uint64_t> at;  ///< their number, see LatticeCells; rising
+    std::vector<double> kept, cracked;
+    std::vector<SeparatePoints::Told> told;
+  };
+  [[nodiscard]] Points all_points() const;
+  /// @pre displacements() are those of that run.
   /// @return false for a stiffness that is none, or more than that of an intact point.
-  [[nodiscard]] bool restore(const AlignedVector<double>& stiffness, const AlignedVector<double>& shear);
+  [[nodiscard]] bool restore(const Points& points);
 
   /// Stress of the platens over their strain [Pa]: mean of both.
   [[nodiscard]] double modulus() const { return 0.5 * (modulus_top_ + modulus_bottom_); }
@@ -61,11 +70,31 @@ class Equilibrium final : private LatticeCells {
 
   /// Displacements of a cell over the platen strain [m].
   [[nodiscard]] CellDisplacement displacement(int row, int cell) const;
+  using LatticeCells::cracked;
+  using LatticeCells::each_extra;
+  using LatticeCells::extra;
+  using LatticeCells::in_cell;
+  using LatticeCells::index;
+  using LatticeCells::is_extra;
   using LatticeCells::kept;
   using LatticeCells::label;
   using LatticeCells::pixel;
   using LatticeCells::points;
+  using LatticeCells::points_in_all;
+  using LatticeCells::share;
 
+  /// Calls visit(PointPlace) for all points of a row of cells, and those of padding cells.
+  template <class Visit>
+  void each_point(int row, const Visit& visit) const {
+    for (int plane = 0; plane < points_.planes; ++plane)
+      for (int cell = 0; cell < plan_.cells_x; ++cell) visit(PointPlace{row, plane, cell});
+    each_extra(row, visit);
+  }
+  /// The same for those that largest_utilisation() does not know.
+  template <class Visit>
+  void each_separate(int row, const Visit& visit) const {
+    separate_.each(row, visit);
+  }
   /// Largest utilisation at a platen strain of 1 of the points at a place of the cells of a row.
   [[nodiscard]] double largest_utilisation(int row, int plane, const Resistance& resistance,
                                            double sign) const;
@@ -87,11 +116,20 @@ class Equilibrium final : private LatticeCells {
   void make_multigrid();
   void move_platens();
   void read_reactions();
+  [[nodiscard]] bool settle(double reduction);
+  [[nodiscard]] double search(const NodeField& start, const NodeField& step);
+  void take_caution(double caution);
+  void follow_cracks();
+  void follow(std::vector<Multigrid::Cell> changed);
+  [[nodiscard]] CellDisplacement loaded(int row, int cell) const;
+  [[nodiscard]] bool restore_separate(const Points& points);
 
   int pinned_ = 0;  ///< column of the node that a smooth lower platen holds sideways
   std::unique_ptr<Multigrid> multigrid_;
   std::unique_ptr<ConjugateGradients> gradients_;
   NodeField u_;
+  double caution_ = SeparatePoints::most_caution;  ///< with which cracks are corrected
+  double scale_ = 0;                               ///< norm of a uniform strain of 1 of the intact specimen
   double modulus_top_ = 0, modulus_bottom_ = 0;
 };
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <tuple>
 
 #include "libmpm/kernels/instruction_set.hpp"
+#include "libmpm/solver/grid.hpp"
 
 namespace mpm {
 namespace {
@@ -16,39 +18,15 @@ Plan without_checks(Plan plan) {
   return plan;
 }
 
-/// A row of cells of points, all of one precision.
-template <class Real>
-kernels::CellRow<Real, Real> cell_row(const AlignedVector<Real>& stiffness, const AlignedVector<Real>& shear,
-                                      std::ptrdiff_t at, std::ptrdiff_t stride, const Eigen::Matrix3d& unit,
-                                      const NodeFieldOf<Real>& u, std::size_t below, std::size_t above,
-                                      kernels::NodeForces<Real> lower, kernels::NodeForces<Real> upper) {
-  return {.cells = static_cast<int>(stride),
-          .stride = stride,
-          .ux_lower = u.x.data() + below,
-          .uy_lower = u.y.data() + below,
-          .ux_upper = u.x.data() + above,
-          .uy_upper = u.y.data() + above,
-          .stiffness = stiffness.data() + at,
-          .shear = shear.empty() ? nullptr : shear.data() + at,
-          .tension = nullptr,
-          .crush = nullptr,
-          .cracked = nullptr,
-          .unilateral = 0,
-          .unit_axial = static_cast<Real>(unit(0, 0)),
-          .unit_lateral = static_cast<Real>(unit(0, 1)),
-          .unit_shear = static_cast<Real>(unit(2, 2)),
-          .unit_bending = static_cast<Real>(bending_stiffness(unit)),
-          .lower = lower,
-          .upper = upper,
-          .suspects = nullptr};
-}
-
 }  // namespace
 
 LatticeCells::LatticeCells(const Scene& scene, const Plan& plan, const StrengthFactors& factors)
     : scene_(scene),
       plan_(without_checks(plan)),
       points_(make_points<double>(scene, plan_, factors)),
+      extra_(make_extra_points(scene, plan_)),
+      separate_(plan.cells_y,
+                plan.features.crack_closure || !extra_.points.empty() ? points_in_all() : std::size_t{0}),
       stiffness_(scene),
       sweep_cells_(chosen_kernels(scene.instruction_set).cells<double>(plan_.features)),
       sweep_corrections_(chosen_kernels(scene.instruction_set).corrections(plan_.features)) {
@@ -61,6 +39,10 @@ LatticeCells::LatticeCells(const Scene& scene, const Plan& plan, const StrengthF
   unit.young = 1;
   unit.poisson = plan.poisson;
   unit_stiffness_ = mpm::stiffness(unit, scene.plane);
+  if (extra_.points.empty()) return;
+  points_of_pixels_ = points_per_pixel(scene);
+  for (int row = 0; row < plan_.cells_y; ++row)
+    each_extra(row, [&](const PointPlace& at) { (void)keep(at, 1); });
 }
 
 void LatticeCells::take_over(const AlignedVector<double>& stiffness, const AlignedVector<double>& shear) {
@@ -74,18 +56,59 @@ void LatticeCells::round_points() {
   single_.shear.assign(points_.shear.begin(), points_.shear.end());
 }
 
-void LatticeCells::forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
-                          kernels::NodeForces<double> upper) const {
-  (void)sweep_cells_(cell_row(points_.stiffness, points_.shear, points_.row(row), points_.stride,
-                              unit_stiffness_, u, shape().node(row, 0), shape().node(row + 1, 0), lower,
-                              upper));
+/// All of one precision.
+template <class Real>
+kernels::CellRow<Real, Real> LatticeCells::cell_row(int row, const NodeFieldOf<Real>& u,
+                                                    kernels::NodeForces<Real> lower,
+                                                    kernels::NodeForces<Real> upper) const {
+  const std::size_t below = shape().node(row, 0);
+  const std::size_t above = shape().node(row + 1, 0);
+  const auto& [stiffness, shear] = [&] {
+    if constexpr (sizeof(Real) == sizeof(float))
+      return std::tie(single_.stiffness, single_.shear);
+    else
+      return std::tie(points_.stiffness, points_.shear);
+  }();
+  return {.cells = static_cast<int>(points_.stride),
+          .stride = points_.stride,
+          .ux_lower = u.x.data() + below,
+          .uy_lower = u.y.data() + below,
+          .ux_upper = u.x.data() + above,
+          .uy_upper = u.y.data() + above,
+          .stiffness = stiffness.data() + points_.row(row),
+          .shear = shear.empty() ? nullptr : shear.data() + points_.row(row),
+          .tension = nullptr,
+          .crush = nullptr,
+          .cracked = nullptr,
+          .unilateral = 0,
+          .unit_axial = static_cast<Real>(unit_stiffness_(0, 0)),
+          .unit_lateral = static_cast<Real>(unit_stiffness_(0, 1)),
+          .unit_shear = static_cast<Real>(unit_stiffness_(2, 2)),
+          .unit_bending = static_cast<Real>(bending_stiffness(unit_stiffness_)),
+          .lower = lower,
+          .upper = upper,
+          .suspects = nullptr};
 }
 
-void LatticeCells::forces(int row, const NodeFieldOf<float>& u, kernels::NodeForces<float> lower,
-                          kernels::NodeForces<float> upper) const {
-  (void)sweep_corrections_(cell_row(single_.stiffness, single_.shear, points_.row(row), points_.stride,
-                                    unit_stiffness_, u, shape().node(row, 0), shape().node(row + 1, 0), lower,
-                                    upper));
+void LatticeCells::forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
+                          kernels::NodeForces<double> upper) const {
+  const auto cells = cell_row(row, u, lower, upper);
+  (void)sweep_cells_(cells);
+  if (!separate_.empty()) separate_.add_forces(row, cells);
+}
+
+void LatticeCells::correction_forces(int row, const NodeFieldOf<float>& u, kernels::NodeForces<float> lower,
+                                     kernels::NodeForces<float> upper) const {
+  const auto cells = cell_row(row, u, lower, upper);
+  (void)sweep_corrections_(cells);
+  if (!separate_.empty()) separate_.add_correction_forces(row, cells);
+}
+
+void LatticeCells::correction_forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
+                                     kernels::NodeForces<double> upper) const {
+  const auto cells = cell_row(row, u, lower, upper);
+  (void)sweep_cells_(cells);
+  if (!separate_.empty()) separate_.add_correction_forces(row, cells);
 }
 
 /// Of the phases that are there: the largest stiffness of one against a strain along an axis over the
@@ -93,6 +116,7 @@ void LatticeCells::forces(int row, const NodeFieldOf<float>& u, kernels::NodeFor
 double LatticeCells::contrast() const {
   std::array<bool, 256> is_there{};
   for (const std::uint8_t label : scene_.labels.reshaped()) is_there[label] = true;
+  for (const ExtraPoint& point : scene_.extra_points) is_there[point.phase] = true;
   double stiffest = 0;
   double softest = std::numeric_limits<double>::infinity();
   for (std::size_t label = 0; label < scene_.phases.size(); ++label) {
@@ -104,44 +128,84 @@ double LatticeCells::contrast() const {
   return stiffest / softest;
 }
 
-Pixel LatticeCells::pixel(int row, int plane, int cell) const {
+Pixel LatticeCells::pixel(const PointPlace& at) const {
   const int k = scene_.points_per_cell;
-  return {static_cast<int>(scene_.labels.rows()) - 1 - (row * k + plane / k), cell * k + plane % k};
+  return {static_cast<int>(scene_.labels.rows()) - 1 - (at.row * k + at.plane / k),
+          at.cell * k + at.plane % k};
 }
 
-const std::uint8_t* LatticeCells::label(int row, int plane, int cell) const {
-  const Pixel at = pixel(row, plane, cell);
-  if (at.row < 0 || at.col >= scene_.labels.cols()) return nullptr;
-  const std::uint8_t& label = scene_.labels(at.row, at.col);
+const std::uint8_t* LatticeCells::label(const PointPlace& at) const {
+  if (is_extra(at)) return &scene_.extra_points[extra(at).index].phase;
+  const Pixel where = pixel(at);
+  if (where.row < 0 || where.col >= scene_.labels.cols()) return nullptr;
+  const std::uint8_t& label = scene_.labels(where.row, where.col);
   return scene_.phases[label] ? &label : nullptr;
+}
+
+LatticeCells::InCell LatticeCells::in_cell(const PointPlace& at) const {
+  if (is_extra(at)) return {extra(at).xi, extra(at).eta};
+  const int k = scene_.points_per_cell;
+  return {(at.plane % k + 0.5) / k, (at.plane / k + 0.5) / k};
+}
+
+double LatticeCells::share(const PointPlace& at) const {
+  if (is_extra(at)) return extra(at).share;
+  if (points_of_pixels_.size() == 0) return 1;
+  const Pixel where = pixel(at);
+  return 1.0 / points_of_pixels_(where.row, where.col);
 }
 
 double LatticeCells::share_of(std::uint8_t label, std::size_t at) const {
   return (plan_.features.one_poisson_ratio ? points_.stiffness[at] : points_.shear[at]) / intact_[label];
 }
 
+double LatticeCells::kept(const PointPlace& at) const {
+  const std::uint8_t* of = label(at);
+  if (of == nullptr) return 0;
+  if (const auto state = separate_.state(index(at))) return state->kept;
+  return share_of(*of, index(at)) / share(at);
+}
+
 CellModes LatticeCells::cell(int row, int col) const {
   CellModes sum = CellModes::Zero();
   for (int plane = 0; plane < points_.planes; ++plane)
-    if (const std::uint8_t* of = label(row, plane, col))
+    if (const std::uint8_t* of = label({row, plane, col}))
       sum += share_of(*of, points_.at(row, plane, col)) * stiffness_.of(*of, plane);
+  if (!separate_.empty()) sum += separate_.in_cell(row, col);
   return sum;
 }
 
-bool LatticeCells::keep(int row, int plane, int cell, double share) {
-  const std::uint8_t* of = label(row, plane, cell);
+bool LatticeCells::keep(const PointPlace& at, double share, double cracked) {
+  const std::uint8_t* of = label(at);
   if (of == nullptr) return false;
-  const std::size_t at = points_.at(row, plane, cell);
+  const bool separate = is_extra(at) || cracked > 0;
+  if (separate)
+    put_separate(at, *of, share, cracked);
+  else
+    separate_.remove(at.row, index(at));
+  if (!is_extra(at)) store(index(at), *of, separate ? 0 : share * this->share(at));
+  return true;
+}
+
+void LatticeCells::put_separate(const PointPlace& at, std::uint8_t label, double kept, double cracked) {
+  const InCell place = in_cell(at);
+  const Eigen::Matrix3d elastic = share(at) * mpm::stiffness(*scene_.phases[label], scene_.plane);
+  separate_.put({at, index(at), place.xi, place.eta}, {elastic, scene_.pixel_cells && !is_extra(at)},
+                {kept, cracked});
+}
+
+/// @param share  of the stiffness of a whole pixel [-].
+void LatticeCells::store(std::size_t at, std::uint8_t label, double share) {
+  const Phase& phase = *scene_.phases[label];
   if (plan_.features.one_poisson_ratio) {
-    points_.stiffness[at] = scene_.phases[*of]->young * share;
+    points_.stiffness[at] = phase.young * share;
   } else {
-    const Eigen::Matrix3d c = mpm::stiffness(*scene_.phases[*of], scene_.plane);
+    const Eigen::Matrix3d c = mpm::stiffness(phase, scene_.plane);
     points_.stiffness[at] = c(0, 1) * share;
     points_.shear[at] = c(2, 2) * share;
     single_.shear[at] = static_cast<float>(points_.shear[at]);
   }
   single_.stiffness[at] = static_cast<float>(points_.stiffness[at]);
-  return true;
 }
 
 }  // namespace mpm

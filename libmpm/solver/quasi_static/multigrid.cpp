@@ -68,7 +68,7 @@ MultigridOf<Real>::MultigridOf(const FineGrid& fine, int coarsenings, const equi
 template <class Real>
 void MultigridOf<Real>::cell_forces(std::size_t index, int row, const Correction& u, ForceBuffer<Real>& lower,
                                     ForceBuffer<Real>& upper) const {
-  if (index == 0) return fine_.forces(row, u, lower.forces(), upper.forces());
+  if (index == 0) return fine_.correction_forces(row, u, lower.forces(), upper.forces());
   const Level& level = levels_[index];
   const std::ptrdiff_t stride = level.shape.cell_stride();
   const std::size_t below = level.shape.node(row, 0);

@@ -79,8 +79,11 @@ class FineGrid {
   /// Forces of a row of cells on its nodes: minus the stiffness times the displacement.
   virtual void forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
                       kernels::NodeForces<double> upper) const = 0;
-  virtual void forces(int row, const NodeFieldOf<float>& u, kernels::NodeForces<float> lower,
-                      kernels::NodeForces<float> upper) const = 0;
+  /// The same of what corrects them; a grid that is stiffer here is corrected more cautiously.
+  virtual void correction_forces(int row, const NodeFieldOf<float>& u, kernels::NodeForces<float> lower,
+                                 kernels::NodeForces<float> upper) const = 0;
+  virtual void correction_forces(int row, const NodeField& u, kernels::NodeForces<double> lower,
+                                 kernels::NodeForces<double> upper) const = 0;
   [[nodiscard]] virtual CellModes cell(int row, int col) const = 0;
   /// Nodes of a cell that are held.
   [[nodiscard]] virtual HeldNodes held(int row, int col) const = 0;

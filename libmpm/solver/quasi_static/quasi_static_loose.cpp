@@ -28,11 +28,14 @@ bool QuasiStaticSolver::may_be_loose(std::int64_t iterations) const {
 
 void QuasiStaticSolver::take_out_loose() {
   if (parted_) return;
-  const int planes = equilibrium_.points().planes;
+  const auto cells_x = static_cast<std::size_t>(plan_.cells_x);
+  std::vector<char> holds(cells_x * static_cast<std::size_t>(plan_.cells_y));
+  each_point([&](const Place& at, std::size_t) {
+    if (is_live(equilibrium_.kept(at)))
+      holds[static_cast<std::size_t>(at.row) * cells_x + static_cast<std::size_t>(at.cell)] = 1;
+  });
   const Pieces pieces(plan_.cells_x, plan_.cells_y, [&](int row, int cell) {
-    for (int plane = 0; plane < planes; ++plane)
-      if (is_live(equilibrium_.kept(row, plane, cell))) return true;
-    return false;
+    return holds[static_cast<std::size_t>(row) * cells_x + static_cast<std::size_t>(cell)] != 0;
   });
   take_out(pieces);
   parted_ = !pieces.joins_platens();
@@ -45,12 +48,12 @@ void QuasiStaticSolver::take_out(const Pieces& pieces) {
   std::vector<Equilibrium::Change> changes;
   const std::int64_t before = carrying_;
   each_point([&](const Place& at, std::size_t index) {
-    const double share = equilibrium_.kept(at.row, at.plane, at.cell);
+    const double share = equilibrium_.kept(at);
     if (share <= 0 || pieces.is_held(at.row, at.cell)) return;
     if (is_live(share)) --carrying_;
     factors_[index] = 0;
     set_resistance(at, index);
-    changes.push_back({at.row, at.plane, at.cell, 0});
+    changes.push_back({at, 0, 0});
   });
   if (carrying_ == before) return;  // a crack is wider than a cell, and holds nothing
   equilibrium_.change(changes);     // nodes without stiffness stay where they are

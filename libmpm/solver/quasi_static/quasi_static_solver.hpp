@@ -3,13 +3,15 @@
 /// Between two failures everything is linear. At a platen strain of 1 the solution U of the points that still
 /// live gives each of them the strain at which it fails; the smallest is next. If it lies below the strain
 /// that the platens have reached, the failure belongs to an avalanche at that strain; or, on the path that
-/// snaps back, the platens go back to it. No velocity, time step, density or damping is involved.
+/// snaps back, the platens go back to it. No velocity, time step, density or damping is involved. Cracks that
+/// close change nothing of this: which of them are open depends on the direction of the strain alone.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "libmpm/material/failure.hpp"
 #include "libmpm/material/strength.hpp"
 #include "libmpm/scene/result.hpp"
 #include "libmpm/scene/scene.hpp"
@@ -59,10 +61,7 @@ class QuasiStaticSolver {
     double cohesion = 0;  ///< 2 c cos(phi) [Pa]; infinite for a phase that does not shear
   };
 
-  /// Of a point, see LatticePoints.
-  struct Place {
-    int row = 0, plane = 0, cell = 0;
-  };
+  using Place = PointPlace;
 
   /// Failure of a point at a platen strain.
   struct Onset {
@@ -77,15 +76,19 @@ class QuasiStaticSolver {
   void each_point(const Visit& visit) const;
   [[nodiscard]] const Limits& limits_at(const Place& at) const;
   [[nodiscard]] Stress<double> elastic_at(const Limits& limits, const Place& at, double strain) const;
-  [[nodiscard]] double kept_at(const Place& at) const;
+  [[nodiscard]] double strength_at(const Place& at, std::size_t index) const;
+  [[nodiscard]] PointState state_at(const Place& at, std::size_t index) const;
   [[nodiscard]] Onset onset_at(const Place& at, std::size_t index) const;
   template <class Visit>
   void each_point_near(double strain, const Visit& visit) const;
   void set_resistance(const Place& at, std::size_t index);
   [[nodiscard]] double least_kept() const;
   void record(const Place& at, FailureMode mode, double strain);
-  double fail(const Place& at, std::size_t index, FailureMode mode, double strain);
-  double soften(const Place& at, std::size_t index, double strain);
+  [[nodiscard]] PointState gone(const Place& at, std::size_t index, FailureMode mode, double strain);
+  [[nodiscard]] PointState cracked_through(const Place& at, std::size_t index, double strain);
+  [[nodiscard]] PointState softened(const Place& at, std::size_t index, double strain);
+  [[nodiscard]] bool closes() const { return plan_.features.crack_closure; }
+  void find_utilisations(int row);
   void find_onsets();
   void add_work(double strain);
   void take_work(double before);
@@ -95,26 +98,32 @@ class QuasiStaticSolver {
   [[nodiscard]] bool may_be_loose(std::int64_t iterations) const;
   void take_out_loose();
   void take_out(const Pieces& pieces);
-  [[nodiscard]] double energy_of(const Place& at) const;
-  [[nodiscard]] FramePoint frame_point(const Pixel& pixel, std::uint8_t label) const;
+  [[nodiscard]] double energy_of(const Place& at, const PointState& point) const;
+  [[nodiscard]] bool has_failed(const Place& at) const;
+  [[nodiscard]] FramePoint frame_point(const Place& at, FramePoint start) const;
+  void add_extra_points(Frame& frame) const;
   [[nodiscard]] bool snaps_back() const { return scene_.loading.path == LoadingPath::snap_back; }
   void fail_points(double strain, double up_to);
   [[nodiscard]] Ledger ledger() const;
   [[nodiscard]] double energy() const;  ///< elastic energy at the strain reached [J/m]
   template <class Archive, class Self>
   static void pass(Archive& archive, Self& self);
+  template <class Archive, class Points>
+  static void pass_points(Archive& archive, Points& points);
 
   const Scene& scene_;
   const Plan& plan_;
   Equilibrium equilibrium_;
-  std::vector<Limits> limits_;     ///< by label
-  AlignedVector<double> factors_;  ///< q of each point as in LatticePoints [-]; 0 = it cannot fail (any more)
+  DamageLaw law_;
+  std::vector<Limits> limits_;  ///< by label
   AlignedVector<double>
-      strengths_;  ///< largest principal stress that a softening point carries [Pa]; may be empty
+      factors_;  ///< q of each point by its number, see LatticeCells [-]; 0 = it cannot fail (any more)
+  AlignedVector<double>
+      strengths_;  ///< largest principal stress that each point carries [Pa]; empty if it stays f_t q
   Resistance resistance_;
-  std::vector<double>
-      utilisations_;  ///< at a platen strain of 1, the largest of each row and place in its cells
-  double next_ = 0;   ///< smallest strain at which a point fails [-]
+  std::vector<double> utilisations_;  ///< at a platen strain of 1, the largest of each row and place in its
+                                      ///< cells; then that of its extra points
+  double next_ = 0;                   ///< smallest strain at which a point fails [-]
   FailureMaps maps_;
   Tally tally_;
   double sign_ = 1;      ///< of the platen strain
@@ -132,11 +141,8 @@ class QuasiStaticSolver {
 
 template <class Visit>
 void QuasiStaticSolver::each_point(const Visit& visit) const {
-  const LatticePoints<double>& points = equilibrium_.points();
   for (int row = 0; row < plan_.cells_y; ++row)
-    for (int plane = 0; plane < points.planes; ++plane)
-      for (int cell = 0; cell < plan_.cells_x; ++cell)
-        visit(Place{row, plane, cell}, points.at(row, plane, cell));
+    equilibrium_.each_point(row, [&](const Place& at) { visit(at, equilibrium_.index(at)); });
 }
 
 }  // namespace mpm

@@ -122,12 +122,12 @@ TEST(Equilibrium, FollowsChangesOfItsPoints) {
     Equilibrium two(scene, plan, factors);
     Equilibrium anew(scene, plan, factors);
     std::vector<Equilibrium::Change> changes;
-    for (int cell = 3; cell < cols; ++cell) changes.push_back({rows / 2, 0, cell, 1e-6});
-    for (int row = rows / 2; row < rows; ++row) changes.push_back({row, 0, cols - 1, 1e-6});
-    for (int cell = cols / 2; cell < cols; ++cell) changes.push_back({rows - 1, 0, cell, 1e-6});
+    for (int cell = 3; cell < cols; ++cell) changes.push_back({{rows / 2, 0, cell}, 1e-6});
+    for (int row = rows / 2; row < rows; ++row) changes.push_back({{row, 0, cols - 1}, 1e-6});
+    for (int cell = cols / 2; cell < cols; ++cell) changes.push_back({{rows - 1, 0, cell}, 1e-6});
     one.change(changes);
     for (const Equilibrium::Change& change : changes) two.change({change});
-    ASSERT_TRUE(anew.restore(one.points().stiffness, one.points().shear));
+    ASSERT_TRUE(anew.restore(one.all_points()));
     for (Equilibrium* each : {&one, &two, &anew}) ASSERT_TRUE(each->solve(0));
     EXPECT_EQ(one.modulus(), two.modulus());
     EXPECT_EQ(one.modulus(), anew.modulus());
