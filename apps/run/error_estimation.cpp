@@ -222,6 +222,8 @@ std::optional<mpm::Scene> at_equilibrium(const mpm::Scene& scene, double peak_st
   constexpr std::int64_t most_points = 2'000'000;
   const auto can_fail = [](const auto& phase) { return phase && phase->can_fail(); };
   if (std::none_of(scene.phases.begin(), scene.phases.end(), can_fail)) return std::nullopt;
+  if (scene.damage.crack_closure != mpm::CrackClosure::off)
+    return std::nullopt;  // takes longer than the rates
   mpm::Scene still = scene;
   still.method = mpm::SolverMethod::quasi_static;
   still.event_tolerance = 0.01;
