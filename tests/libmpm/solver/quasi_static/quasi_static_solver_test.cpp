@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "libmpm/run/simulate.hpp"
+#include "libmpm/scene/error.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
 #include "tests/libmpm/solver/quasi_static/quasi_static_runs.hpp"
 
