@@ -62,8 +62,6 @@ void check_shear_band(Faults& faults, const Scene& scene, const Phase& phase) {
   const std::string value = text(phase.shear_fracture_energy, "J/m2");
   faults.require(scene.damage.crack_closure != CrackClosure::off, field, value, "needs damage.crack_closure",
                  "choose damage.crack_closure = \"unilateral\"");
-  faults.require(scene.method != SolverMethod::quasi_static, field, value, "is not made yet without inertia",
-                 "choose solver.method = \"explicit\"");
 }
 
 void check_phases(Faults& faults, const Scene& scene) {

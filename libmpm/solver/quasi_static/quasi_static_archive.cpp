@@ -80,6 +80,7 @@ void QuasiStaticSolver::pass(Archive& archive, Self& self) {
   archive.flag(self.has_dropped_);
   archive.block(self.factors_);
   archive.block(self.strengths_);
+  archive.block(self.cohesions_);
   archive.raw(&self.next_, 1);
   archive.block(self.equilibrium_.displacements().x);
   archive.block(self.equilibrium_.displacements().y);

@@ -29,20 +29,23 @@ Stress<double> QuasiStaticSolver::elastic_at(const Limits& limits, const Place& 
 }
 
 /// Platen strain at which the point fails that carries this stress at a platen strain of 1.
-/// @param strength  largest principal stress that it survives [Pa].
-QuasiStaticSolver::Onset QuasiStaticSolver::onset_of(const Limits& limits, double factor, double strength,
+QuasiStaticSolver::Onset QuasiStaticSolver::onset_of(const Limits& limits, double factor, const Left& left,
                                                      const Stress<double>& s) {
   const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, limits.normal * (s.xx + s.yy));
   const double first = std::max(principal.first, principal.normal);
   const double last = std::min(principal.second, principal.normal);
-  const double tension = first > 0 ? strength / first : no_strain;
+  const double tension = first > 0 ? left.strength / first : no_strain;
   const double drive = -last * (1 - limits.sine) + factor * first * (1 + limits.sine);
-  const double shear = last < 0 && drive > 0 ? factor * limits.cohesion / drive : no_strain;
+  const double shear = last < 0 && drive > 0 ? factor * left.cohesion * limits.cohesion / drive : no_strain;
   return tension <= shear ? Onset{tension, FailureMode::tension} : Onset{shear, FailureMode::shear};
 }
 
 double QuasiStaticSolver::strength_at(const Place& at, std::size_t index) const {
   return strengths_.empty() ? limits_at(at).tension * factors_[index] : strengths_[index];
+}
+
+QuasiStaticSolver::Left QuasiStaticSolver::left_at(const Place& at, std::size_t index) const {
+  return {strength_at(at, index), cohesions_.empty() ? 1 : cohesions_[index]};
 }
 
 PointState QuasiStaticSolver::state_at(const Place& at, std::size_t index) const {
@@ -59,7 +62,7 @@ QuasiStaticSolver::Onset QuasiStaticSolver::onset_at(const Place& at, std::size_
   const Limits& limits = limits_at(at);
   Stress<double> s = elastic_at(limits, at, 1);
   if (!strengths_.empty()) s = carried_stress(state_at(at, index), s, law_);
-  return onset_of(limits, factors_[index], strength_at(at, index), s);
+  return onset_of(limits, factors_[index], left_at(at, index), s);
 }
 
 /// What the search for the next failure asks of a point: never less than the criteria do. It sees the stress
@@ -69,9 +72,16 @@ void QuasiStaticSolver::set_resistance(const Place& at, std::size_t index) {
   const Limits& limits = limits_at(at);
   const double factor = factors_[index];
   const double share = equilibrium_.share(at);
-  resistance_.tension[index] = static_cast<float>(factor > 0 ? 1 / (share * strength_at(at, index)) : 0);
-  resistance_.crush[index] =
-      static_cast<float>(factor > 0 ? (1 - limits.sine) / (share * factor * limits.cohesion) : 0);
+  const Left left = left_at(at, index);
+  double tension = factor > 0 ? 1 / (share * left.strength) : 0;
+  double crush = factor > 0 ? (1 - limits.sine) / (share * factor * limits.cohesion) : 0;
+  if (factor > 0 && left.cohesion < 1) {
+    // Of a shear band s1 takes more than crush_share says; a sum is no more than twice its larger part.
+    tension = std::max(tension, 2 * (1 + limits.sine) / (share * left.cohesion * limits.cohesion));
+    crush *= 2 / left.cohesion;
+  }
+  resistance_.tension[index] = static_cast<float>(tension);
+  resistance_.crush[index] = static_cast<float>(crush);
   if (limits.cohesion > 0)
     resistance_.crush_share =
         std::max(resistance_.crush_share, (1 + limits.sine) / (share * limits.cohesion));
@@ -146,7 +156,7 @@ void QuasiStaticSolver::record(const Place& at, FailureMode mode, double strain)
 
 PointState QuasiStaticSolver::gone(const Place& at, std::size_t index, FailureMode mode, double strain) {
   PointState point = state_at(at, index);
-  record(at, mode, strain);
+  if (mode != FailureMode::none) record(at, mode, strain);
   factors_[index] = 0;
   set_resistance(at, index);
   if (scene_.damage.residual_stiffness <= 0) --carrying_;
@@ -173,14 +183,43 @@ PointState QuasiStaticSolver::softened(const Place& at, std::size_t index, doubl
   const Stress<double> s = elastic_at(limits, at, strain);
   const double peak = tension_threshold(*point.phase, point.factor);
   const PrincipalStress principal = principal_stress(s.xx, s.yy, s.xy, limits.normal * (s.xx + s.yy));
+  // A crack that closes is softened beside what shear takes of the stiffness.
+  const double first = std::max(principal.first, principal.normal);
   const Tooth tooth =
       next_tooth(softening(*point.phase, scene_.plane, peak, plan_.cell_size),
-                 point.kept * (1 - point.cracked), std::max(principal.first, principal.normal));
+                 closes() ? 1 - point.cracked : point.kept, (closes() ? point.kept : 1) * first);
   if (tooth.kept <= least_kept()) return cracked_through(at, index, strain);
   strengths_[index] = tooth.strength;
   if (tooth.strength <= 0.5 * peak) record(at, FailureMode::tension, strain);
   (closes() ? point.cracked : point.kept) = closes() ? 1 - tooth.kept : tooth.kept;
   return point;
+}
+
+/// The shear band of the point goes on by a tooth, or is at its end.
+PointState QuasiStaticSolver::sheared(const Place& at, std::size_t index, double strain) {
+  PointState point = state_at(at, index);
+  const Limits& limits = limits_at(at);
+  PointState whole = point;
+  whole.kept = 1;
+  const Stress<double> s = carried_stress(whole, elastic_at(limits, at, strain), law_);
+  const double taken = shear_utilisation(*point.phase, point.factor,
+                                         principal_stress(s.xx, s.yy, s.xy, limits.normal * (s.xx + s.yy)));
+  const Tooth tooth = next_tooth(shear_softening(*point.phase, scene_.plane, point.factor, plan_.cell_size),
+                                 point.kept, taken);
+  if (cohesions_[index] > 0.5 && tooth.strength <= 0.5) record(at, FailureMode::shear, strain);
+  cohesions_[index] = tooth.strength;
+  if (tooth.kept <= least_kept()) return gone(at, index, FailureMode::none, strain);
+  point.kept = tooth.kept;
+  return point;
+}
+
+PointState QuasiStaticSolver::failed(const Place& at, std::size_t index, const Onset& onset, double strain) {
+  const Phase& phase = *scene_.phases[*equilibrium_.label(at)];
+  const double reached = std::max(strain, onset.strain);
+  if (onset.mode == FailureMode::shear)
+    return cohesions_.empty() || !phase.softens_in_shear() ? gone(at, index, FailureMode::shear, strain)
+                                                           : sheared(at, index, reached);
+  return phase.softens() ? softened(at, index, reached) : cracked_through(at, index, strain);
 }
 
 double QuasiStaticSolver::least_kept() const { return std::max(scene_.damage.residual_stiffness, remainder); }
@@ -191,9 +230,7 @@ void QuasiStaticSolver::fail_points(double strain, double up_to) {
     const Onset onset = onset_at(at, index);
     if (onset.strain > up_to) return;
     const PointState before = state_at(at, index);
-    const PointState after = onset.mode == FailureMode::shear ? gone(at, index, FailureMode::shear, strain)
-                             : before.phase->softens() ? softened(at, index, std::max(strain, onset.strain))
-                                                       : cracked_through(at, index, strain);
+    const PointState after = failed(at, index, onset, strain);
     set_resistance(at, index);
     if (snaps_back()) spent_ += energy_of(at, before) - energy_of(at, after);
     changes.push_back({at, after.kept, after.cracked});

@@ -21,6 +21,11 @@ PixelField<double> drawn_factors(const Scene& scene) {
   return factors;
 }
 
+bool softens_in_shear(const Scene& scene) {
+  return std::any_of(scene.phases.begin(), scene.phases.end(),
+                     [](const auto& phase) { return phase && phase->softens_in_shear(); });
+}
+
 }  // namespace
 
 QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan)
@@ -48,6 +53,7 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
   resistance_.crush.assign(points.stiffness.size(), 0.0F);
   utilisations_.assign(static_cast<std::size_t>(plan.cells_y * (points.planes + 1)), 0.0);
   if (plan.softens || closes()) strengths_.assign(factors_.size(), never);
+  if (softens_in_shear(scene)) cohesions_.assign(factors_.size(), 1);
   const StrengthFactors drawn(scene, false);
   each_point([&](const Place& at, std::size_t index) {
     const std::uint8_t* label = equilibrium_.label(at);

@@ -70,13 +70,18 @@ class QuasiStaticSolver {
   };
 
   void step();
-  [[nodiscard]] static Onset onset_of(const Limits& limits, double factor, double strength,
+  /// What a point has left: of its tension [Pa], and the share of its cohesion [-].
+  struct Left {
+    double strength = 0, cohesion = 1;
+  };
+  [[nodiscard]] static Onset onset_of(const Limits& limits, double factor, const Left& left,
                                       const Stress<double>& stress);
   template <class Visit>
   void each_point(const Visit& visit) const;
   [[nodiscard]] const Limits& limits_at(const Place& at) const;
   [[nodiscard]] Stress<double> elastic_at(const Limits& limits, const Place& at, double strain) const;
   [[nodiscard]] double strength_at(const Place& at, std::size_t index) const;
+  [[nodiscard]] Left left_at(const Place& at, std::size_t index) const;
   [[nodiscard]] PointState state_at(const Place& at, std::size_t index) const;
   [[nodiscard]] Onset onset_at(const Place& at, std::size_t index) const;
   template <class Visit>
@@ -87,6 +92,8 @@ class QuasiStaticSolver {
   [[nodiscard]] PointState gone(const Place& at, std::size_t index, FailureMode mode, double strain);
   [[nodiscard]] PointState cracked_through(const Place& at, std::size_t index, double strain);
   [[nodiscard]] PointState softened(const Place& at, std::size_t index, double strain);
+  [[nodiscard]] PointState sheared(const Place& at, std::size_t index, double strain);
+  [[nodiscard]] PointState failed(const Place& at, std::size_t index, const Onset& onset, double strain);
   [[nodiscard]] bool closes() const { return plan_.features.crack_closure; }
   void find_utilisations(int row);
   void find_onsets();
@@ -120,6 +127,8 @@ class QuasiStaticSolver {
       factors_;  ///< q of each point by its number, see LatticeCells [-]; 0 = it cannot fail (any more)
   AlignedVector<double>
       strengths_;  ///< largest principal stress that each point carries [Pa]; empty if it stays f_t q
+  AlignedVector<double>
+      cohesions_;  ///< share of its cohesion that each point has left; empty if it keeps all
   Resistance resistance_;
   std::vector<double> utilisations_;  ///< at a platen strain of 1, the largest of each row and place in its
                                       ///< cells; then that of its extra points

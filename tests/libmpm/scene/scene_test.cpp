@@ -54,13 +54,6 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
   EXPECT_EQ(message_after([](Scene& s) { s.phases[2]->shear_fracture_energy = 900; }),
             "phases.mortar.shear_fracture_energy: 900 J/m2; needs damage.crack_closure; choose "
             "damage.crack_closure = \"unilateral\"");
-  EXPECT_EQ(message_after([](Scene& s) {
-              s.phases[2]->shear_fracture_energy = 900;
-              s.damage.crack_closure = mpm::CrackClosure::unilateral;
-              s.method = mpm::SolverMethod::quasi_static;
-            }),
-            "phases.mortar.shear_fracture_energy: 900 J/m2; is not made yet without inertia; choose "
-            "solver.method = \"explicit\"");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.velocity = -0.05; }),
             "loading.velocity: -0.05 m/s; must be > 0; loading.direction sets the direction");
   EXPECT_EQ(message_after([](Scene& s) { s.cfl = 1.05; }), "solver.cfl: 1.05; must lie in (0, 1]");

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "libmpm/material/strength.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "libmpm/solver/quasi_static/equilibrium.hpp"
 #include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
@@ -115,6 +116,51 @@ TEST(QuasiStaticClosure, ACrackBandDissipatesItsFractureEnergy) {
     EXPECT_NEAR(result.peak_stress, 3e6, 100);
     EXPECT_NEAR(result.history.back().released, 60 * scene.width(), 0.01 * 60 * scene.width());
   }
+}
+
+// So does a shear band, and reaches its strength.
+TEST(QuasiStaticClosure, AShearBandDissipatesItsFractureEnergy) {
+  for (const auto path : {mpm::LoadingPath::strain, mpm::LoadingPath::snap_back}) {
+    Scene scene = samples::unbreakable(block(true, Direction::compression, 0));
+    scene.loading.path = path;
+    scene.loading.stop_strain = 0.5;
+    mpm::Phase weak = *scene.phases[2];
+    weak.cohesion = 4e6;
+    weak.friction_angle = 0.5;
+    weak.weibull_modulus = 1e9;
+    weak.shear_fracture_energy = 500;
+    scene.phases[samples::aggregate] = weak;
+    scene.labels.row(5).setConstant(samples::aggregate);
+    const Result result = mpm::simulate(scene);
+    const double strength = mpm::compressive_strength(weak, 1);
+    EXPECT_NEAR(result.peak_stress, strength, 1e-4 * strength);
+    EXPECT_NEAR(result.history.back().released, 500 * scene.width(), 0.01 * 500 * scene.width());
+    EXPECT_EQ(result.shear_failures, scene.labels.cols());
+  }
+}
+
+// Cracks and shear bands together, and what is known of them when a run goes on.
+TEST(QuasiStaticClosure, ShearBandsFollowSlowDampedLoading) {
+  Scene scene = closing(samples::small_concrete(24, 24), true, Direction::compression);
+  samples::set_fracture_energy(scene, 100);
+  for (const auto label : {samples::mortar, samples::itz}) {
+    scene.phases[label]->cohesion = label == samples::itz ? 6e6 : 10e6;
+    scene.phases[label]->weibull_modulus = 12;
+    scene.phases[label]->shear_fracture_energy = 3000;
+  }
+  scene.loading.stop_strain = 6e-3;
+  const Result still = mpm::simulate(scene);
+  EXPECT_GT(still.shear_failures, 5);
+  EXPECT_LT(still.peak_strain, 5e-3);
+  EXPECT_LT(still.energy_error, 1e-9);
+  const samples::Interrupted run = samples::stopped_after(scene, static_cast<int>(still.history.size() / 2));
+  const Result resumed = mpm::resume(scene, run.kept);
+  EXPECT_EQ(resumed.history.back().stress, still.history.back().stress);
+  scene.method = mpm::SolverMethod::explicit_;
+  scene.loading.velocity = 0.05;
+  scene.local_damping = 0.3;
+  const Result slow = mpm::simulate(scene);
+  EXPECT_NEAR(slow.peak_stress, still.peak_stress, 0.03 * still.peak_stress);
 }
 
 Scene concrete(Direction direction, bool pixel = true) {
