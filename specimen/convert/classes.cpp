@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
+#include <unordered_map>
 
 namespace specimen {
 namespace {
@@ -96,7 +98,7 @@ Clusters find_clusters(const std::vector<WeightedPoint>& points, int count) {
 
 namespace {
 
-constexpr int most_bins = 1024;
+constexpr std::size_t most_bins = 1024;
 
 /// Occupied bins in rising order.
 struct Histogram {
@@ -104,20 +106,30 @@ struct Histogram {
   std::vector<double> count;
 };
 
+/// How often each value occurs; nothing where there are more than there are bins.
+std::optional<std::unordered_map<double, double>> few_values(const Raster<double>& values) {
+  std::unordered_map<double, double> found;
+  for (const double v : values.data)
+    if (++found[v] == 1 && found.size() > most_bins) return std::nullopt;
+  return found;
+}
+
 Histogram histogram(const Raster<double>& values) {
+  Histogram h;
+  if (const auto few = few_values(values)) {
+    for (const auto& [level, count] : *few) h.level.push_back(level);
+    std::sort(h.level.begin(), h.level.end());
+    for (const double level : h.level) h.count.push_back(few->at(level));
+    return h;
+  }
   const auto [low, high] = std::minmax_element(values.data.begin(), values.data.end());
-  const double start = *low, span = *high - *low;
-  const bool whole =
-      std::all_of(values.data.begin(), values.data.end(), [](double v) { return v == std::floor(v); });
-  const bool exact = whole && span < most_bins;
-  const double width = exact || span == 0 ? 1 : span / most_bins;
+  const double start = *low, width = (*high - *low) / most_bins;
   std::vector<double> counts(most_bins, 0);
   for (const double v : values.data)
     ++counts[static_cast<std::size_t>(std::min(most_bins - 1.0, (v - start) / width))];
-  Histogram h;
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 0) {
-      h.level.push_back(start + (static_cast<double>(i) + (exact ? 0.0 : 0.5)) * width);
+      h.level.push_back(start + (static_cast<double>(i) + 0.5) * width);
       h.count.push_back(counts[i]);
     }
   return h;

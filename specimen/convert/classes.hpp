@@ -37,9 +37,9 @@ struct Clusters {
                                                    const std::vector<double>& thresholds);
 
 /// Thresholds that cut the values into `classes` with the least sum of squared deviations within the classes
-/// (Otsu's criterion), exact for the histogram: one bin per level for integers with a span of up to 1024
-/// levels, otherwise 1024 bins. Fewer occupied bins than classes give fewer thresholds. Source: Otsu (1979);
-/// the dynamic programme over class ends is that of Fisher (1958).
+/// (Otsu's criterion), exact for the histogram: one bin per value for up to 1024 different ones, in
+/// whatever unit, otherwise 1024 bins. Fewer occupied bins than classes give fewer thresholds. Source: Otsu
+/// (1979); the dynamic programme over class ends is that of Fisher (1958).
 [[nodiscard]] std::vector<double> otsu_thresholds(const Raster<double>& values, int classes);
 
 }  // namespace specimen

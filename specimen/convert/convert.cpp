@@ -10,6 +10,7 @@
 #include "specimen/convert/clean.hpp"
 #include "specimen/convert/convert_options.hpp"
 #include "specimen/convert/grains.hpp"
+#include "specimen/convert/levels.hpp"
 #include "specimen/convert/resample.hpp"
 #include "specimen/convert/segment.hpp"
 #include "specimen/picture/picture.hpp"
@@ -271,7 +272,7 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
   Converted result;
   ConvertReport& report = result.report;
   report.notes = whole.notes;
-  Picture picture = squared(cropped(std::move(whole), options.crop), options, report);
+  Picture picture = in_common_form(squared(cropped(std::move(whole), options.crop), options, report));
   if (options.outside == Outside::none) lay_over_white(picture);
   report.source_pixel_size = source_pixel_size(picture, options, report);
 

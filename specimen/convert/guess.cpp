@@ -94,47 +94,80 @@ int blackest(const ValueMap& map) {
 
 namespace {
 
-/// The same for indices into a palette, by the colours that they stand for.
+std::int64_t number_of(Rgb c) { return c.r << 16 | c.g << 8 | c.b; }
+
+/// What each index of a palette shows, grey value or colour; nothing for those that are not used.
+std::array<std::optional<std::int64_t>, 256> shown_by(const Picture& picture) {
+  std::array<std::optional<std::int64_t>, 256> shown{};
+  const bool coloured = is_coloured(picture);
+  for (std::size_t i = 0; i < picture.indices.size(); ++i) {
+    auto& value = shown[picture.indices.data[i]];
+    if (!value)
+      value = coloured ? number_of(picture.colour.data[i]) : static_cast<std::int64_t>(gray_at(picture, i));
+  }
+  return shown;
+}
+
+/// The black one among indices into a palette, by what they show.
 int blackest_of_palette(const Picture& picture, const ValueMap& map) {
+  const auto by_index = shown_by(picture);
   ValueMap shown;
   shown.colours = is_coloured(picture);
-  shown.values.assign(map.values.size(), 0);
-  for (std::size_t i = 0; i < map.code.size(); ++i) {
-    std::int64_t& value = shown.values[static_cast<std::size_t>(map.code.data[i])];
-    if (!picture.gray.empty())
-      value = static_cast<std::int64_t>(picture.gray.data[i]);
-    else
-      value = picture.colour.data[i].r << 16 | picture.colour.data[i].g << 8 | picture.colour.data[i].b;
-  }
+  for (const std::int64_t index : map.values)
+    shown.values.push_back(*by_index[static_cast<std::size_t>(index)]);
   if (shown.colours) return blackest(shown);
   return static_cast<int>(std::min_element(shown.values.begin(), shown.values.end()) - shown.values.begin());
 }
 
+std::optional<ValueMap> palette_indices(const Picture& picture, int most) {
+  std::optional<ValueMap> map =
+      collect(picture.indices, most, [](std::uint8_t i) { return std::optional<std::int64_t>(i); });
+  if (map) map->black = blackest_of_palette(picture, *map);
+  return map;
+}
+
 }  // namespace
 
-std::optional<ValueMap> distinct_values(const Picture& picture, int most) {
-  std::optional<ValueMap> map;
-  if (!picture.indices.empty()) {
-    map = collect(picture.indices, most, [](std::uint8_t i) { return std::optional<std::int64_t>(i); });
-    if (map) map->black = blackest_of_palette(picture, *map);
-    return map;
+bool shares_colours(const Picture& picture) {
+  std::vector<std::int64_t> values;
+  for (const auto& value : shown_by(picture))
+    if (value) values.push_back(*value);
+  std::sort(values.begin(), values.end());
+  return std::adjacent_find(values.begin(), values.end()) != values.end();
+}
+
+void name_by_palette(ValueMap& map, const Picture& picture) {
+  if (picture.indices.empty() || shares_colours(picture)) return;
+  const auto shown = shown_by(picture);
+  std::vector<std::int64_t> names;
+  for (const std::int64_t value : map.values) {
+    const auto index = std::find(shown.begin(), shown.end(), std::optional(value));
+    if (index == shown.end()) return;
+    names.push_back(index - shown.begin());
   }
+  map.names = std::move(names);
+}
+
+std::optional<ValueMap> distinct_values(const Picture& picture, int most, Palette palette) {
+  if (palette == Palette::indices && shares_colours(picture)) return palette_indices(picture, most);
+  std::optional<ValueMap> map;
   const bool coloured = is_coloured(picture);
   if (!picture.gray.empty())
     map = collect(picture.gray, most, whole_number);
   else if (coloured)
-    map = collect(picture.colour, most,
-                  [](Rgb c) { return std::optional<std::int64_t>(c.r << 16 | c.g << 8 | c.b); });
+    map = collect(picture.colour, most, [](Rgb c) { return std::optional(number_of(c)); });
   else
     map = collect(picture.colour, most, [](Rgb c) { return std::optional<std::int64_t>(c.r); });
   if (!map) return map;
   map->colours = coloured;
   map->black = blackest(*map);
+  name_by_palette(*map, picture);
   return map;
 }
 
 std::string value_text(const ValueMap& map, int code) {
   const std::int64_t value = map.values[static_cast<std::size_t>(code)];
+  if (!map.names.empty()) return std::to_string(map.names[static_cast<std::size_t>(code)]);
   if (value == no_number) return "NaN";
   if (!map.colours) return std::to_string(value);
   std::array<char, 8> text{};

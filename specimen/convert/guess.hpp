@@ -16,9 +16,11 @@ namespace specimen {
 struct ValueMap {
   Raster<std::int32_t> code;         ///< index into `values` per pixel; -1 = outside of the specimen
   std::vector<std::int64_t> values;  ///< increasing
-  bool colours = false;              ///< the values are colours, 0xRRGGBB
-  int black = -1;    ///< the code that is black: the lowest of the numbers, a dark colour; -1 = none
-  int outside = -1;  ///< the code that lies outside of the specimen as well; -1 = none
+  /// What the user knows the values by, if not by themselves: the indices of a palette.
+  std::vector<std::int64_t> names{};
+  bool colours = false;  ///< the values are colours, 0xRRGGBB
+  int black = -1;        ///< the code that is black: the lowest of the numbers, a dark colour; -1 = none
+  int outside = -1;      ///< the code that lies outside of the specimen as well; -1 = none
   [[nodiscard]] int count() const { return static_cast<int>(values.size()); }
 };
 
@@ -29,10 +31,23 @@ inline constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::min
 /// and none is black.
 [[nodiscard]] int blackest(const ValueMap& map);
 
-/// Distinct values: palette indices if there is a palette, otherwise grey values or colours as 0xRRGGBB, or
-/// as grey values where all of them are grey.
+/// How the values of a picture with a palette are told apart.
+enum class Palette {
+  shown,    ///< by the colours, as in any other encoding
+  indices,  ///< by the indices where several of them have one colour
+};
+
+/// Distinct values: grey values, or colours as 0xRRGGBB, or as grey values where all of them are grey. A
+/// palette gives them its indices as names.
 /// @return nothing for more than `most` values, or if a grey value is not an integer.
-[[nodiscard]] std::optional<ValueMap> distinct_values(const Picture& picture, int most);
+[[nodiscard]] std::optional<ValueMap> distinct_values(const Picture& picture, int most,
+                                                      Palette palette = Palette::shown);
+
+/// Whether some indices of the palette that are used have the same colour.
+[[nodiscard]] bool shares_colours(const Picture& picture);
+
+/// Name the values of a map by the indices of the palette, where each of them has one.
+void name_by_palette(ValueMap& map, const Picture& picture);
 
 /// A value as shown to the user: 17, or #ff80ff for a colour.
 [[nodiscard]] std::string value_text(const ValueMap& map, int code);

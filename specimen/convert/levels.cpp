@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "specimen/body/measure.hpp"
 
@@ -13,6 +14,33 @@ bool is_coloured(const Picture& picture) {
   const auto has_tint = [](Rgb c) { return c.r != c.g || c.g != c.b; };
   return picture.gray.empty() &&
          std::any_of(picture.colour.data.begin(), picture.colour.data.end(), has_tint);
+}
+
+namespace {
+
+/// Bytes that were divided by 255, as programs that compute with fractions keep them, become bytes again.
+void restore_bytes(Raster<double>& gray) {
+  constexpr double white = 255, rounding = 1e-4;
+  const auto is_fraction = [](double v) { return v > 0 && v < 1; };
+  const auto is_byte = [](double v) {
+    return std::isnan(v) || (v >= 0 && v <= 1 && std::abs(v * white - std::round(v * white)) <= rounding);
+  };
+  if (!std::all_of(gray.data.begin(), gray.data.end(), is_byte)) return;
+  if (std::none_of(gray.data.begin(), gray.data.end(), is_fraction)) return;
+  for (double& v : gray.data) v = std::round(v * white);
+}
+
+}  // namespace
+
+Picture in_common_form(Picture picture) {
+  restore_bytes(picture.gray);
+  if (!picture.indices.empty()) picture.bits = 8;  // of what the palette shows
+  if (picture.colour.empty() || is_coloured(picture)) return picture;
+  picture.gray = Raster<double>(picture.colour.rows, picture.colour.cols);
+  std::transform(picture.colour.data.begin(), picture.colour.data.end(), picture.gray.data.begin(),
+                 [](Rgb c) { return c.r; });
+  picture.colour = {};
+  return picture;
 }
 
 namespace {
@@ -54,16 +82,33 @@ bool are_bytes(const Raster<double>& gray, Range all) {
   return usual.high - usual.low > much;
 }
 
-bool all_multiples(const Raster<double>& gray, double of) {
-  return std::all_of(gray.data.begin(), gray.data.end(),
-                     [&](double v) { return std::isnan(v) || std::fmod(v, of) == 0; });
+/// Largest number that all values are multiples of; 0 where one is negative or no whole number.
+double common_step(const Raster<double>& gray) {
+  constexpr double largest = 9e15;  // beyond it doubles skip whole numbers
+  std::int64_t step = 0;
+  for (const double v : gray.data) {
+    if (std::isnan(v)) continue;
+    if (v < 0 || v > largest || v != std::floor(v)) return 0;
+    step = std::gcd(step, static_cast<std::int64_t>(v));
+    if (step == 1) return 1;
+  }
+  return static_cast<double>(step);
+}
+
+/// What bytes were multiplied by to fill more bits; 0 where they are no such bytes.
+double step_of_bytes(const Raster<double>& gray, Range all) {
+  constexpr double most = 255, fewest_levels = 32;  // below them the numbers may be those of labels
+  const double step = common_step(gray);
+  for (const double usual : {257.0, 256.0})
+    if (step > 0 && std::fmod(step, usual) == 0 && all.high <= usual * most) return usual;
+  return step > 1 && all.high <= step * most && all.high > step * fewest_levels ? step : 0;
 }
 
 }  // namespace
 
 std::string tame_outliers(Raster<double>& gray) {
   const Range all = range_of(gray);
-  if (are_bytes(gray, all)) return {};
+  if (are_bytes(gray, all) || step_of_bytes(gray, all) > 0) return {};
   const Range usual = usual_range(gray);
   const double span = usual.high - usual.low;
   const double low = usual.low - span, high = usual.high + span;  // noise does not reach as far
@@ -92,24 +137,31 @@ struct Scale {
   bool spread = false;  ///< to the span of the values: black and white have no meaning of their own
 };
 
-Scale scale_of(const Raster<double>& gray) {
-  constexpr double sixteen = 65535, low_end = 0.1 * sixteen, high_end = 0.9 * sixteen;
+/// White of the least depth that holds the values; 0 where none is meant.
+double white_of(Range range) {
+  if (range.low < 0) return 0;
+  for (const double white : {1.0, 1023.0, 4095.0, 16383.0, 65535.0})
+    if (range.high <= white) return white;
+  return 0;
+}
+
+Scale scale_of(const Raster<double>& gray, int bits) {
+  constexpr double byte = 255, much = 0.2;
+  if (bits < 8) return {0, byte / (std::ldexp(1.0, bits) - 1)};
   const Range range = range_of(gray);
   if (are_bytes(gray, range)) return {};
-  if (range.low >= 0 && range.high <= sixteen && range.high > sixteen / 2) {
-    for (const double step : {257.0, 256.0})
-      if (all_multiples(gray, step)) return {0, 1 / step};
-    if (range.low < low_end && range.high > high_end) return {0, 1.0 / 257};
-  }
-  return {range.low, range.high > range.low ? 255 / (range.high - range.low) : 0, true};
+  if (const double step = step_of_bytes(gray, range); step > 0) return {0, 1 / step};
+  const double span = range.high - range.low;
+  if (const double white = white_of(range); white > 0 && span >= much * white) return {0, byte / white};
+  return {range.low, span > 0 ? byte / span : 0, true};
 }
 
 }  // namespace
 
-bool is_spread(const Raster<double>& gray) { return scale_of(gray).spread; }
+bool is_spread(const Raster<double>& gray, int bits) { return scale_of(gray, bits).spread; }
 
-Raster<Rgb> as_colour(const Raster<double>& gray) {
-  const Scale scale = scale_of(gray);
+Raster<Rgb> as_colour(const Raster<double>& gray, int bits) {
+  const Scale scale = scale_of(gray, bits);
   Raster<Rgb> colour(gray.rows, gray.cols);
   std::transform(gray.data.begin(), gray.data.end(), colour.data.begin(), [&](double v) {
     if (std::isnan(v)) return Rgb{};
@@ -124,7 +176,7 @@ Raster<Rgb> shown_colours(const Picture& picture) {
   if (picture.gray.empty()) return picture.colour;
   Raster<double> gray = picture.gray;
   (void)tame_outliers(gray);
-  return as_colour(gray);
+  return as_colour(gray, picture.bits);
 }
 
 }  // namespace specimen

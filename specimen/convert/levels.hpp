@@ -23,12 +23,21 @@ namespace specimen {
 /// @return a note that names them and the first of them; empty where there are none.
 std::string tame_outliers(Raster<double>& gray);
 
-/// Grey as colour: bytes as they are, bytes in 16 bits (v x 257 or v x 256) and values that use most of 16
-/// bits brought back to bytes, others with their span brought to 0 ... 255. Not-a-number becomes black.
-[[nodiscard]] Raster<Rgb> as_colour(const Raster<double>& gray);
+/// A picture in the form that all its encodings share: grey where it has no colours, of as many bits as are
+/// shown. Indices into a palette stay: users know the values by them.
+[[nodiscard]] Picture in_common_form(Picture picture);
+
+/// Grey as colour, each level the byte that it is in an encoding of 8 bits:
+/// - bytes as they are; fewer bits, and bytes that were multiplied (by 257, 256, 16, ...), brought to bytes;
+/// - values that use a fifth or more of 10, 12, 14 or 16 bits, or of the range from 0 to 1, as shares of
+/// it;
+/// - others with their span brought to 0 ... 255.
+/// Not-a-number becomes black.
+/// @param bits  per value, as stored.
+[[nodiscard]] Raster<Rgb> as_colour(const Raster<double>& gray, int bits = 8);
 
 /// Whether as_colour() spreads the values, so that the darkest of them need not be black.
-[[nodiscard]] bool is_spread(const Raster<double>& gray);
+[[nodiscard]] bool is_spread(const Raster<double>& gray, int bits = 8);
 
 /// The colours of a picture, grey by as_colour() after tame_outliers().
 [[nodiscard]] Raster<Rgb> shown_colours(const Picture& picture);

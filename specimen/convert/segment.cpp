@@ -202,8 +202,8 @@ Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertR
   Sorted sorted;
   const bool is_gray = picture.colour.empty();
   const ColourClasses found =
-      classes_by_colour(is_gray ? as_colour(picture.gray) : picture.colour,
-                        !is_gray || !is_spread(picture.gray), o, sorted.factor, report);
+      classes_by_colour(is_gray ? as_colour(picture.gray, picture.bits) : picture.colour,
+                        !is_gray || !is_spread(picture.gray, picture.bits), o, sorted.factor, report);
   const int count = static_cast<int>(found.centres.size());
   const bool guessed = o.class_phases.empty();
   if (!guessed && static_cast<int>(o.class_phases.size()) != count)
@@ -234,8 +234,7 @@ Sorted segment(const Picture& picture, const ConvertOptions& options, ConvertRep
   const bool takes_labels = automatic || report.method == Segmentation::labels;
   if (takes_labels && !wants_classes && options.label_phases.empty() && !picture.phases.empty())
     if (std::optional<Sorted> own = segment_own(picture, report)) return std::move(*own);
-  if ((automatic && !wants_classes) || is_map_method(report.method))
-    map = map_of(picture, most_grains, report);
+  if ((automatic && !wants_classes) || is_map_method(report.method)) map = map_of(picture, options, report);
   if (automatic && map && has_our_colours(*map)) {
     Picture own = picture;
     own.phases = standard_phases();

@@ -51,7 +51,8 @@ std::vector<std::string> mapped_phases(const ValueMap& map, const ConvertOptions
   std::string left_out;
   int count = 0;
   for (int code = 0; code < map.count(); ++code) {
-    const std::int64_t value = map.values[static_cast<std::size_t>(code)];
+    const std::vector<std::int64_t>& known_by = map.names.empty() ? map.values : map.names;
+    const std::int64_t value = known_by[static_cast<std::size_t>(code)];
     const auto entry = std::find_if(o.label_phases.begin(), o.label_phases.end(),
                                     [&](const auto& e) { return e.first == value; });
     phases.push_back(entry == o.label_phases.end() ? "" : entry->second);
@@ -279,18 +280,35 @@ void note_settled(std::int64_t settled, const ValueMap& map, ConvertReport& repo
 
 }  // namespace
 
-std::optional<ValueMap> map_of(const Picture& picture, int most, ConvertReport& report) {
+namespace {
+
+/// Grains that share colours, as where a palette has fewer colours than there are grains, are told apart by
+/// their indices; so is all of a picture in one colour, and what the user knows by its indices.
+std::optional<ValueMap> values_of(const Picture& picture, int most, const ConvertOptions& o) {
+  if (picture.indices.empty() || !shares_colours(picture)) return distinct_values(picture, most);
+  std::optional<ValueMap> shown = distinct_values(picture, most);
+  std::optional<ValueMap> indices = distinct_values(picture, most, Palette::indices);
+  const bool tells_more =
+      !o.label_phases.empty() || (shown && shown->count() < 2) || looks_like_grains(*indices);
+  return tells_more ? indices : shown;
+}
+
+}  // namespace
+
+std::optional<ValueMap> map_of(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
   refuse_lossy_labels(picture);
-  std::optional<ValueMap> map = distinct_values(picture, most);
+  std::optional<ValueMap> map = values_of(picture, most_grains, o);
   if (map && !picture.lossy && looks_like_grains(*map)) return map;
   if (map && !picture.lossy && !has_fringes(*map)) {
-    if (picture.indices.empty()) note_settled(dissolve_fringes(*map), *map, report);
+    const bool has_order = picture.indices.empty() || !shares_colours(picture);
+    if (has_order) note_settled(dissolve_fringes(*map), *map, report);
     return map;
   }
   std::optional<TonedMap> toned = sort_into_tones(picture);
   if (!toned && picture.lossy) return std::nullopt;  // exact values mean nothing in a JPEG
   if (!toned || (map && !picture.lossy && toned->settled == 0)) return map;
   note_settled(toned->settled, toned->map, report);
+  name_by_palette(toned->map, picture);
   return std::move(toned->map);
 }
 

@@ -17,7 +17,8 @@ namespace specimen {
 
 /// The map that a picture is, its soft edges settled; nothing for a photograph.
 /// @throws Error for a JPEG of label numbers.
-[[nodiscard]] std::optional<ValueMap> map_of(const Picture& picture, int most, ConvertReport& report);
+[[nodiscard]] std::optional<ValueMap> map_of(const Picture& picture, const ConvertOptions& options,
+                                             ConvertReport& report);
 
 /// The map, if it is one.   @throws Error for a photograph and for too many values.
 [[nodiscard]] ValueMap require_values(std::optional<ValueMap> map, int most, const char* what);

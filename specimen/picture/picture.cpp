@@ -54,6 +54,9 @@ Picture read_picture(const std::string& path, std::int64_t max_pixels) {
       return read_bmp(source);
     case PictureFormat::pnm:
       return read_pnm(source);
+    case PictureFormat::hdf5:
+      throw Error(path, "is an HDF5 file", "PNG, TIFF, BMP, JPEG, PGM and PPM are read",
+                  "a specimen of mesopix needs no conversion: give it to the next command as it is");
     case PictureFormat::unknown:
       break;
   }

@@ -90,6 +90,34 @@ void drop_if_opaque(Picture& picture) {
   if (std::all_of(data.begin(), data.end(), [](std::uint8_t a) { return a == opaque; })) picture.opacity = {};
 }
 
+void DeepToByte::look_at(std::uint16_t channel) {
+  small_ = small_ && channel <= 255;
+  upper_ = upper_ && channel % 256 == 0;
+}
+
+std::uint8_t DeepToByte::operator()(std::uint16_t channel) const {
+  if (small_) return static_cast<std::uint8_t>(channel);
+  if (upper_) return static_cast<std::uint8_t>(channel / 256);
+  return static_cast<std::uint8_t>((channel + 128) / 257);
+}
+
+void set_deep_colours(Picture& picture, const Raster<DeepRgb>& deep) {
+  const auto is_gray = [](DeepRgb c) { return c.r == c.g && c.g == c.b; };
+  if (std::all_of(deep.data.begin(), deep.data.end(), is_gray)) {
+    picture.gray = Raster<double>(deep.rows, deep.cols);
+    std::transform(deep.data.begin(), deep.data.end(), picture.gray.data.begin(),
+                   [](DeepRgb c) { return c.r; });
+    return;
+  }
+  DeepToByte byte;
+  for (const DeepRgb& c : deep.data)
+    for (const std::uint16_t channel : {c.r, c.g, c.b}) byte.look_at(channel);
+  picture.colour = Raster<Rgb>(deep.rows, deep.cols);
+  std::transform(deep.data.begin(), deep.data.end(), picture.colour.data.begin(), [&](DeepRgb c) {
+    return Rgb{byte(c.r), byte(c.g), byte(c.b)};
+  });
+}
+
 namespace {
 
 void check_indices(const PictureSource& source, const Raster<std::uint8_t>& indices, std::size_t entries) {

@@ -33,6 +33,26 @@ inline constexpr const char* own_keyword = "mesopix";
 /// Set origin and phases of a picture by these words; others are passed over.
 void set_origin(Picture& picture, std::string_view words);
 
+/// A colour of 16 bits a channel.
+struct DeepRgb {
+  std::uint16_t r = 0, g = 0, b = 0;
+};
+
+/// How colours of 16 bits become bytes: as they are where none is above 255, without their lower byte where
+/// that is empty everywhere, otherwise as shares of white.
+class DeepToByte {
+ public:
+  void look_at(std::uint16_t channel);
+  [[nodiscard]] std::uint8_t operator()(std::uint16_t channel) const;
+
+ private:
+  bool small_ = true, upper_ = true;
+};
+
+/// Fill a picture from colours of 16 bits: grey of 16 bits where red, green and blue are alike everywhere, as
+/// small numbers of labels would be lost in bytes.
+void set_deep_colours(Picture& picture, const Raster<DeepRgb>& deep);
+
 /// Fill a picture from indices and a palette: with the indices, and with the colours, or grey values if the
 /// palette has only greys; with the opacity of the indices, where some are given.
 /// @throws Error naming the first pixel whose index is not in the palette.

@@ -38,6 +38,7 @@ PictureFormat format_of(std::span<const std::uint8_t> first_bytes) {
   for (const std::string_view magic : {std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
                                        std::string_view("II+\0", 4), std::string_view("MM\0+", 4)})
     if (is(magic)) return PictureFormat::tiff;
+  if (is("\x89HDF\r\n\x1a\n")) return PictureFormat::hdf5;
   if (is("BM")) return PictureFormat::bmp;
   if (first_bytes.size() >= 3 && first_bytes[0] == 'P' && first_bytes[1] >= '1' && first_bytes[1] <= '7' &&
       (first_bytes[2] == '#' || (first_bytes[2] >= '\t' && first_bytes[2] <= '\r') || first_bytes[2] == ' '))

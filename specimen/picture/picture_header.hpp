@@ -10,7 +10,7 @@
 
 namespace specimen {
 
-enum class PictureFormat { unknown, png, jpeg, tiff, bmp, pnm };
+enum class PictureFormat { unknown, png, jpeg, tiff, bmp, pnm, hdf5 };  // the last is none
 
 /// Format by the first bytes of a file (8 bytes are enough).
 [[nodiscard]] PictureFormat format_of(std::span<const std::uint8_t> first_bytes);

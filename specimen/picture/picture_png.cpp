@@ -72,14 +72,13 @@ bool is_animation(const PngReader& reader) {
   });
 }
 
-/// Ask for bytes as they are needed: grey as stored, a palette as indices, colour as 8-bit RGB or RGBA.
+/// Ask for bytes as they are needed: grey and colour as stored, a palette as indices.
 bool choose_transforms(PngReader& reader) {
   if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
   png_set_packing(reader.png);
   // One transparent colour of a picture without a palette: opacity of its own.
   if (!reader.palette() && png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0)
     png_set_tRNS_to_alpha(reader.png);
-  if (!reader.gray() && !reader.palette()) png_set_scale_16(reader.png);
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
   return true;
@@ -118,6 +117,8 @@ int orientation(const PngReader& reader) {
   return read_exif({block, size}).orientation;
 }
 
+std::uint16_t two_bytes_at(const std::uint8_t* p) { return static_cast<std::uint16_t>(p[0] * 256 + p[1]); }
+
 /// Rows of grey values, with an opacity after each where there are two channels.
 void set_gray(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels,
               bool two_bytes) {
@@ -125,13 +126,25 @@ void set_gray(Picture& picture, const Bytes& bytes, int rows, int cols, std::siz
   const std::size_t width = two_bytes ? 2 : 1;
   for (std::size_t i = 0; i < picture.gray.size(); ++i) {
     const std::uint8_t* p = &bytes[i * channels * width];
-    picture.gray.data[i] = two_bytes ? p[0] * 256 + p[1] : p[0];
+    picture.gray.data[i] = two_bytes ? two_bytes_at(p) : p[0];
   }
   if (channels < 2) return;
   picture.opacity = Raster<std::uint8_t>(rows, cols);
   for (std::size_t i = 0; i < picture.opacity.size(); ++i)
     picture.opacity.data[i] = bytes[(i * channels + 1) * width];
   drop_if_opaque(picture);
+}
+
+void set_deep_colours(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels) {
+  Raster<DeepRgb> deep(rows, cols);
+  if (channels == 4) picture.opacity = Raster<std::uint8_t>(rows, cols);
+  for (std::size_t i = 0; i < deep.size(); ++i) {
+    const std::uint8_t* p = &bytes[i * channels * 2];
+    deep.data[i] = {two_bytes_at(p), two_bytes_at(p + 2), two_bytes_at(p + 4)};
+    if (channels == 4) picture.opacity.data[i] = p[6];
+  }
+  drop_if_opaque(picture);
+  set_deep_colours(picture, deep);
 }
 
 void set_colours(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels) {
@@ -275,6 +288,8 @@ Picture read_png(const PictureSource& source) {
                        opacity_of_palette(reader));
   else if (reader.gray())
     set_gray(picture, bytes, rows, cols, channels, bits == 16);
+  else if (bits == 16)
+    set_deep_colours(picture, bytes, rows, cols, channels);
   else
     set_colours(picture, bytes, rows, cols, channels);
   return upright(std::move(picture), orientation(reader));

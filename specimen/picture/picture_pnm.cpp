@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <string>
@@ -100,17 +101,31 @@ void read_row(PnmReader& reader, const PictureSource& source, const PnmHeader& h
                   "the header allows at most " + std::to_string(header.max));
 }
 
-void store_row(Picture& picture, int row, const PnmHeader& header, const std::vector<int>& values) {
-  const auto byte = [&](std::size_t i) {
-    return static_cast<std::uint8_t>((values[i] * 255 + header.max / 2) / header.max);
+using Values = Raster<std::uint16_t>;  ///< of a row and its channels side by side
+
+/// Grey values as they stand in the file; colours as shares of the largest value.
+void set_pixels(Picture& picture, const PnmHeader& header, const Values& values) {
+  const auto step = static_cast<std::size_t>(header.channels());
+  const auto is_gray = [&] {
+    for (std::size_t i = 0; i < values.size(); i += step)
+      if (values.data[i] != values.data[i + step - 1] || values.data[i] != values.data[i + step / 2])
+        return false;
+    return true;
   };
-  for (int c = 0; c < header.cols; ++c) {
-    const std::size_t i = static_cast<std::size_t>(c) * static_cast<std::size_t>(header.channels());
-    if (header.colour)
-      picture.colour(row, c) = {byte(i), byte(i + 1), byte(i + 2)};
-    else
-      picture.gray(row, c) = values[i];
+  if (is_gray()) {
+    picture.gray = Raster<double>(header.rows, header.cols);
+    for (std::size_t i = 0; i < picture.gray.size(); ++i) picture.gray.data[i] = values.data[i * step];
+    return;
   }
+  DeepToByte deep;
+  for (const std::uint16_t value : values.data) deep.look_at(value);
+  const auto byte = [&](std::size_t i) {
+    if (header.max == 65535) return deep(values.data[i]);
+    return static_cast<std::uint8_t>((values.data[i] * 255 + header.max / 2) / header.max);
+  };
+  picture.colour = Raster<Rgb>(header.rows, header.cols);
+  for (std::size_t i = 0; i < picture.colour.size(); ++i)
+    picture.colour.data[i] = {byte(3 * i), byte(3 * i + 1), byte(3 * i + 2)};
 }
 
 }  // namespace
@@ -127,16 +142,14 @@ Picture read_pnm(const PictureSource& source) {
   Picture picture;
   picture.bits = header.bytes_a_value() * 8;
   set_origin(picture, reader.words());
-  if (header.colour)
-    picture.colour = Raster<Rgb>(header.rows, header.cols);
-  else
-    picture.gray = Raster<double>(header.rows, header.cols);
-  std::vector<int> row_values(static_cast<std::size_t>(header.cols) *
-                              static_cast<std::size_t>(header.channels()));
+  Values pixels(header.rows, header.cols * header.channels());
+  std::vector<int> row_values(static_cast<std::size_t>(pixels.cols));
   for (int row = 0; row < header.rows; ++row) {
     read_row(reader, source, header, row_values);
-    store_row(picture, row, header, row_values);
+    std::transform(row_values.begin(), row_values.end(), &pixels(row, 0),
+                   [](int value) { return static_cast<std::uint16_t>(value); });
   }
+  set_pixels(picture, header, pixels);
   if (reader.another_follows()) throw several_pictures(source.path, "is a PNM of several pictures");
   return picture;
 }

@@ -281,19 +281,27 @@ class TiffReader {
     drop_if_opaque(picture);
   }
 
+  template <class Colour, class Take>
+  void read_channels(const TiffTags& tags, Take take) {
+    Raster<Colour> colour(tags.rows, tags.cols);
+    using Channel = decltype(Colour::r);
+    Channel Colour::*const members[] = {&Colour::r, &Colour::g, &Colour::b};
+    for (int k = 0; k < 3; ++k) {
+      const Raster<double> values = channel(tags, k);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        colour.data[i].*members[k] = static_cast<Channel>(values.data[i]);
+    }
+    take(std::move(colour));
+  }
+
   /// Red, green and blue; further samples are opacity where the file says so, else of no use here.
   void read_rgb(const TiffTags& tags, Picture& picture) {
     if (tags.samples < 3)
       throw bad_picture(source_.path,
                         "is a TIFF of colours with " + std::to_string(tags.samples) + " channels");
-    picture.colour = Raster<Rgb>(tags.rows, tags.cols);
-    const double scale = tags.bits == 16 ? 255.0 / 65535 : 1;
-    std::uint8_t Rgb::*const members[] = {&Rgb::r, &Rgb::g, &Rgb::b};
-    for (int k = 0; k < 3; ++k) {
-      const Raster<double> values = channel(tags, k);
-      for (std::size_t i = 0; i < values.size(); ++i)
-        picture.colour.data[i].*members[k] = static_cast<std::uint8_t>(std::lround(values.data[i] * scale));
-    }
+    tags.bits == 16
+        ? read_channels<DeepRgb>(tags, [&](const Raster<DeepRgb>& deep) { set_deep_colours(picture, deep); })
+        : read_channels<Rgb>(tags, [&](Raster<Rgb> colour) { picture.colour = std::move(colour); });
     const int beside = tags.samples - 3;
     const bool has_opacity = beside > 0 && !tags.extra.empty() && is_alpha(tags.extra[0]);
     if (has_opacity) read_opacity(tags, 3, picture);
@@ -309,6 +317,11 @@ class TiffReader {
   static void take_opacity_off(Picture& picture) {
     for (std::size_t i = 0; i < picture.opacity.size(); ++i) {
       const int a = picture.opacity.data[i];
+      if (!picture.gray.empty()) {
+        double& v = picture.gray.data[i];
+        v = a == 0 ? 0 : std::min(65535.0, std::round(v * 255 / a));
+        continue;
+      }
       const auto full = [&](int c) {
         return static_cast<std::uint8_t>(a == 0 ? 0 : std::min(255, (c * 255 + a / 2) / a));
       };
@@ -346,10 +359,12 @@ class TiffReader {
                   "at most 8 are read");
     std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
     if (TIFFGetField(tiff_.get(), TIFFTAG_COLORMAP, &red, &green, &blue) != 1) throw damaged();
+    DeepToByte byte;
+    const int count = 1 << tags.bits;
+    for (int i = 0; i < count; ++i)
+      for (const std::uint16_t channel : {red[i], green[i], blue[i]}) byte.look_at(channel);
     std::vector<Rgb> palette;
-    for (int i = 0; i < 1 << tags.bits; ++i)
-      palette.push_back({static_cast<std::uint8_t>(red[i] / 257), static_cast<std::uint8_t>(green[i] / 257),
-                         static_cast<std::uint8_t>(blue[i] / 257)});
+    for (int i = 0; i < count; ++i) palette.push_back({byte(red[i]), byte(green[i]), byte(blue[i])});
     const Raster<double> values = channel(tags);
     Raster<std::uint8_t> indices(tags.rows, tags.cols);
     std::transform(values.data.begin(), values.data.end(), indices.data.begin(),

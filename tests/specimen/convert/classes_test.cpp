@@ -108,6 +108,18 @@ TEST(Thresholds, WorkOnSixteenBitsAndFractions) {
   EXPECT_LT(small.front(), 0.8);
 }
 
+TEST(Thresholds, DoNotDependOnTheUnit) {
+  std::vector<double> bytes;
+  for (int i = 0; i < 200; ++i) bytes.push_back(i * i % 251);
+  for (const double unit : {16.0, 257.0}) {
+    std::vector<double> values = bytes;
+    for (double& v : values) v *= unit;
+    const auto expected = otsu_thresholds(row(bytes), 3), found = otsu_thresholds(row(values), 3);
+    ASSERT_EQ(found.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(found[i], unit * expected[i]);
+  }
+}
+
 TEST(Thresholds, AreFewerThanAskedForWhereLevelsAreMissing) {
   EXPECT_EQ(otsu_thresholds(row({5, 5, 9}), 4), (std::vector<double>{7}));
   EXPECT_TRUE(otsu_thresholds(row({5, 5}), 3).empty());

@@ -80,11 +80,26 @@ TEST(Values, AreNoneWhereTheyAreTooManyOrFractions) {
   EXPECT_FALSE(distinct_values(gray(2, {1, 1e300}), 9));
 }
 
-TEST(Values, OfAPaletteAreItsIndices) {
+TEST(Values, OfAPaletteAreWhatItShowsAndBearItsIndicesAsNames) {
   Picture picture = gray(2, {90, 10});
   picture.indices = Raster<std::uint8_t>(1, 2);
   picture.indices.data = {4, 3};
-  EXPECT_EQ(distinct_values(picture, 9)->values, (std::vector<std::int64_t>{3, 4}));
+  const auto map = distinct_values(picture, 9);
+  EXPECT_EQ(map->values, (std::vector<std::int64_t>{10, 90}));
+  EXPECT_EQ(map->names, (std::vector<std::int64_t>{3, 4}));
+  EXPECT_EQ(specimen::value_text(*map, 1), "4");
+}
+
+TEST(Values, OfIndicesWithOneColourAreToldApartOnlyIfAskedFor) {
+  Picture picture = gray(3, {90, 90, 10});
+  picture.indices = Raster<std::uint8_t>(1, 3);
+  picture.indices.data = {4, 3, 7};
+  EXPECT_TRUE(specimen::shares_colours(picture));
+  EXPECT_EQ(distinct_values(picture, 9)->values, (std::vector<std::int64_t>{10, 90}));
+  EXPECT_TRUE(distinct_values(picture, 9)->names.empty());
+  const auto map = distinct_values(picture, 9, specimen::Palette::indices);
+  EXPECT_EQ(map->values, (std::vector<std::int64_t>{3, 4, 7}));
+  EXPECT_EQ(map->black, 2);
 }
 
 TEST(Values, OfGreysStoredAsColoursAreGreyValues) {

@@ -53,6 +53,42 @@ TEST(Levels, BytesInSixteenBitsAreTheSameBytes) {
   EXPECT_EQ(as_colour(by_256), as_colour(bytes));
 }
 
+TEST(Levels, BytesInAnyUnitAreTheSameBytes) {
+  Raster<double> bytes(16, 16), by_16(16, 16);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    bytes.data[i] = static_cast<double>(i % 60 + 3);
+    by_16.data[i] = 16 * bytes.data[i];
+  }
+  EXPECT_EQ(as_colour(by_16), as_colour(bytes));
+  EXPECT_EQ(tame_outliers(by_16), "");
+  Raster<double> four_bits(1, 2);
+  four_bits.data = {3, 15};
+  EXPECT_EQ(as_colour(four_bits, 4).data, (std::vector<Rgb>{{51, 51, 51}, {255, 255, 255}}));
+}
+
+TEST(Levels, ManyLevelsOfADepthAreSharesOfItsWhite) {
+  EXPECT_EQ(as_colour(ramp(10'000, 50'000.5)).data.front().r, 39);
+  EXPECT_EQ(as_colour(ramp(700, 3000.5)).data.back().r, 187);
+  EXPECT_EQ(as_colour(ramp(0.2, 0.8)).data.front().r, 51);
+  EXPECT_FALSE(is_spread(ramp(10'000, 50'000.5)));
+  EXPECT_TRUE(is_spread(ramp(9000, 21'000.5))) << "too few of 65,536";
+  EXPECT_TRUE(is_spread(ramp(-3000, 3000)));
+}
+
+TEST(Levels, TheCommonFormHasGreyForGreyAndBytesForBytes) {
+  Picture picture;
+  picture.colour = Raster<Rgb>(1, 2, Rgb{9, 9, 9});
+  const Picture grey = specimen::in_common_form(picture);
+  EXPECT_TRUE(grey.colour.empty());
+  EXPECT_EQ(grey.gray.data, (std::vector<double>{9, 9}));
+  Picture fractions;
+  fractions.gray = Raster<double>(1, 3);
+  fractions.gray.data = {0, static_cast<double>(51 / 255.0F), 1};
+  EXPECT_EQ(specimen::in_common_form(fractions).gray.data, (std::vector<double>{0, 51, 255}));
+  fractions.gray.data = {0, 0.5, 1};
+  EXPECT_EQ(specimen::in_common_form(fractions).gray.data, (std::vector<double>{0, 0.5, 1}));
+}
+
 TEST(Levels, OtherRangesAreSpread) {
   const Raster<Rgb> shown = as_colour(ramp(9000, 21000));
   EXPECT_EQ(shown.data.front().r, 0);

@@ -70,17 +70,27 @@ Picture with_palette(const Raster<double>& gray) {
   return picture;
 }
 
-Picture sixteen_bits(Raster<double> gray) {
-  for (double& v : gray.data) v *= 257;
+/// Bytes in another unit: multiplied to fill more bits, or as fractions of white.
+Picture in_units_of(double unit, Raster<double> gray, int bits = 16) {
+  for (double& v : gray.data) v *= unit;
   Picture picture = picture_of(std::move(gray));
-  picture.bits = 16;
+  picture.bits = bits;
   return picture;
+}
+
+std::vector<Picture> all_encodings(const Raster<double>& gray) {
+  std::vector<Picture> all{in_colour(gray), with_palette(gray)};
+  for (const double unit : {257.0, 256.0, 16.0, 1.0}) all.push_back(in_units_of(unit, gray));
+  all.push_back(in_units_of(1 / 255.0, gray, 64));
+  all.push_back(in_units_of(1 / 255.0, gray, 32));
+  for (double& v : all.back().gray.data) v = static_cast<double>(static_cast<float>(v));
+  return all;
 }
 
 TEST(SegmentMap, OneMapInAnyEncodingIsOneSpecimen) {
   const KnownTruth truth = known_truth();
   const Raster<double> gray = coded(truth.labels, std::array{0.0, 255.0, 128.0});
-  for (const Picture& picture : {picture_of(gray), in_colour(gray), with_palette(gray), sixteen_bits(gray)}) {
+  for (const Picture& picture : all_encodings(gray)) {
     const Converted converted = convert(picture);
     EXPECT_EQ(converted.segmented.mask.labels, truth.labels);
     EXPECT_EQ(converted.segmented.inclusions.size(), truth.stones.size());
@@ -89,11 +99,61 @@ TEST(SegmentMap, OneMapInAnyEncodingIsOneSpecimen) {
 
 TEST(SegmentMap, OnePhotographInAnyEncodingIsOneSpecimen) {
   const KnownTruth truth = known_truth();
-  const Raster<double> gray = photograph(truth);
+  for (const double light : {1.0, 0.25}) {
+    Raster<double> gray = photograph(truth);
+    for (double& v : gray.data) v = std::floor(v * light);
+    const auto first = convert(picture_of(gray)).segmented.mask.labels;
+    EXPECT_LT(share_wrong(first, truth.labels), 0.03);
+    for (const Picture& picture : all_encodings(gray))
+      EXPECT_EQ(convert(picture).segmented.mask.labels, first);
+  }
+}
+
+TEST(SegmentMap, APhotographOfMoreLevelsIsTheSameSpecimen) {
+  const KnownTruth truth = known_truth();
+  Raster<double> fine = coded(truth.labels, std::array{60.0, 190.0, 120.0});
+  specimen::Random random(4);
+  for (double& v : fine.data) v += random.uniform(-9, 9);
+  Raster<double> bytes = fine, sixteen = fine, twelve = fine;
+  for (double& v : bytes.data) v = std::round(v);
+  for (double& v : sixteen.data) v = std::round(v * 257);
+  for (double& v : twelve.data) v = std::round(v * 4095 / 255);
+  const auto first = convert(picture_of(bytes)).segmented.mask.labels;
+  for (const Raster<double>& gray : {sixteen, twelve})
+    EXPECT_LT(share_wrong(convert(picture_of(gray)).segmented.mask.labels, first), 0.002);
+}
+
+TEST(SegmentMap, SoftEdgesOfLabelNumbersAreSettledBehindAPaletteToo) {
+  const KnownTruth truth = known_truth();
+  const Raster<double> gray = specimen_test::drawn_softly(truth, {0, 1, 2});
   const auto first = convert(picture_of(gray)).segmented.mask.labels;
   EXPECT_LT(share_wrong(first, truth.labels), 0.03);
-  for (const Picture& picture : {in_colour(gray), with_palette(gray), sixteen_bits(gray)})
-    EXPECT_EQ(convert(picture).segmented.mask.labels, first);
+  for (const Picture& picture : all_encodings(gray)) EXPECT_EQ(convert(picture).segmented.mask.labels, first);
+}
+
+TEST(SegmentMap, APaletteIsReadByWhatItShows) {
+  const KnownTruth truth = known_truth();
+  Picture picture = picture_of(coded(truth.labels, std::array{0.0, 200.0, 90.0}));
+  picture.indices = Raster<std::uint8_t>(truth.rows, truth.cols);
+  for (std::size_t i = 0; i < picture.indices.size(); ++i)  // two indices of each grey, side by side
+    picture.indices.data[i] = static_cast<std::uint8_t>(truth.labels.data[i] * 2 + i % 2);
+  EXPECT_EQ(convert(picture).segmented.mask.labels, truth.labels);
+}
+
+TEST(SegmentMap, GrainsThatShareAColourOfThePaletteStayApart) {
+  Picture picture;
+  picture.gray = Raster<double>(60, 120, 0.0);
+  picture.indices = Raster<std::uint8_t>(60, 120, 0);
+  for (int i = 0; i < 6; ++i) {  // touching squares in two greys
+    for (int r = 20; r < 40; ++r)
+      for (int c = 20 + 12 * i; c < 32 + 12 * i; ++c) {
+        picture.gray(r, c) = 100 + 50 * (i / 3);
+        picture.indices(r, c) = static_cast<std::uint8_t>(i + 1);
+      }
+  }
+  const Converted converted = convert(picture);
+  EXPECT_EQ(converted.report.method, specimen::Segmentation::instances);
+  EXPECT_EQ(converted.segmented.inclusions.size(), 6U);
 }
 
 TEST(SegmentMap, OneHotPixelChangesNothing) {

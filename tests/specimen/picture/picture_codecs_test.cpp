@@ -41,4 +41,25 @@ TEST(PictureExif, KeepsTheDefaultsWhereTheBlockIsDamaged) {
   EXPECT_EQ(read_exif(wrong).orientation, 1);
 }
 
+TEST(DeepColours, AreGreyWhereTheyAreAlike) {
+  specimen::Raster<specimen::DeepRgb> deep(1, 2);
+  deep.data = {{1, 1, 1}, {300, 300, 300}};
+  specimen::Picture picture;
+  specimen::set_deep_colours(picture, deep);
+  EXPECT_TRUE(picture.colour.empty());
+  EXPECT_EQ(picture.gray.data, (std::vector<double>{1, 300})) << "labels would be lost in bytes";
+}
+
+TEST(DeepColours, BecomeTheBytesThatTheyWere) {
+  using specimen::Rgb;
+  for (const int unit : {1, 256, 257}) {
+    const auto channel = [&](int byte) { return static_cast<std::uint16_t>(byte * unit); };
+    specimen::Raster<specimen::DeepRgb> deep(1, 2);
+    deep.data = {{channel(1), channel(2), channel(3)}, {channel(255), channel(0), channel(128)}};
+    specimen::Picture picture;
+    specimen::set_deep_colours(picture, deep);
+    EXPECT_EQ(picture.colour.data, (std::vector<Rgb>{{1, 2, 3}, {255, 0, 128}})) << unit;
+  }
+}
+
 }  // namespace picture_codecs_test

@@ -22,6 +22,7 @@ TEST(PictureHeader, KnowsFormatsByTheirFirstBytes) {
   EXPECT_EQ(format("\xff\xd8\xff\xe0"), PictureFormat::jpeg);
   EXPECT_EQ(format(std::string("II*\0", 4)), PictureFormat::tiff);
   EXPECT_EQ(format(std::string("MM\0+", 4)), PictureFormat::tiff);
+  EXPECT_EQ(format("\x89HDF\r\n\x1a\n"), PictureFormat::hdf5);
   EXPECT_EQ(format("BM"), PictureFormat::bmp);
   EXPECT_EQ(format("P5\n"), PictureFormat::pnm);
   EXPECT_EQ(format("P2#"), PictureFormat::pnm);

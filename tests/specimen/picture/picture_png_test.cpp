@@ -84,6 +84,14 @@ TEST(PicturePng, BringsDeepColourToEightBits) {
   EXPECT_EQ(picture.bits, 16);
 }
 
+TEST(PicturePng, KeepsSmallNumbersInDeepColour) {
+  const Scratch scratch;
+  PngRecipe recipe{2, 1, 16, PNG_COLOR_TYPE_RGB};
+  recipe.data = {0, 1, 0, 1, 0, 1, 0, 2, 0, 2, 0, 2};
+  const Picture picture = specimen::read_picture(scratch.write("rgb16.png", make_png(recipe)));
+  EXPECT_EQ(picture.gray.data, (std::vector<double>{1, 2}));
+}
+
 PngRecipe palette_recipe() {
   PngRecipe recipe{4, 1, 2, PNG_COLOR_TYPE_PALETTE};
   recipe.palette = {{10, 20, 30}, {200, 0, 0}, {0, 0, 0}};

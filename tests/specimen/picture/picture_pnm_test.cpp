@@ -32,6 +32,12 @@ TEST(PicturePnm, ReadsBytesOfEightAndSixteenBits) {
   EXPECT_EQ(colour.colour(0, 0), (Rgb{1, 2, 3}));
 }
 
+TEST(PicturePnm, GreyAsColoursIsGreyAsItStands) {
+  const Scratch scratch;
+  const Picture labels = specimen::read_picture(scratch.write("g.ppm", "P3 2 1 65535 1 1 1 2 2 2"s));
+  EXPECT_EQ(labels.gray.data, (std::vector<double>{1, 2}));
+}
+
 TEST(PicturePnm, RefusesSeveralPictures) {
   const Scratch scratch;
   const std::string several =

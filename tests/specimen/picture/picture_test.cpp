@@ -72,6 +72,10 @@ TEST(Picture, RefusesWhatIsNoPicture) {
       "is not in a known picture format; PNG, TIFF, BMP, JPEG, PGM and PPM are read");
   specimen_test::expect_refused(scratch.write("empty.png", std::string()),
                                 "is not in a known picture format");
+  specimen_test::expect_refused(
+      scratch.write("specimen.h5", std::string("\x89HDF\r\n\x1a\n")),
+      "is an HDF5 file; PNG, TIFF, BMP, JPEG, PGM and PPM are read; "
+      "a specimen of mesopix needs no conversion: give it to the next command as it is");
 }
 
 TEST(Picture, RefusesMorePixelsThanAllowed) {

@@ -97,6 +97,19 @@ TEST(PictureTiff, ReadsColourAndPalettes) {
   EXPECT_EQ(palette.colour.data, (std::vector<Rgb>{{255, 0, 0}, {254, 0, 0}, {253, 0, 0}, {0, 0, 0}}));
 }
 
+TEST(PictureTiff, ReadsDeepColoursAsTheBytesThatTheyWere) {
+  const Scratch scratch;
+  TiffRecipe recipe{1, 1, 16, SAMPLEFORMAT_UINT, 3, PHOTOMETRIC_RGB};
+  for (const int unit : {1, 256, 257}) {
+    const auto channel = [&](int byte) { return static_cast<std::uint16_t>(byte * unit); };
+    const Picture picture = specimen::read_picture(
+        make_tiff<std::uint16_t>(scratch, recipe, {channel(200), channel(100), channel(50)}));
+    EXPECT_EQ(picture.colour(0, 0), (Rgb{200, 100, 50})) << unit;
+  }
+  const Picture labels = specimen::read_picture(make_tiff<std::uint16_t>(scratch, recipe, {3, 3, 3}));
+  EXPECT_EQ(labels.gray(0, 0), 3);
+}
+
 /// Writes tags into a TIFF of four values a pixel, or fewer.
 std::string with_samples(const Scratch& scratch, int samples, int photometric,
                          std::vector<std::uint16_t> extra) {
