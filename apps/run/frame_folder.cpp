@@ -107,6 +107,7 @@ void remove_frame_file(const fs::path& path) {
 /// Empty where there is no such file.
 std::string text_of(const fs::path& path) {
   std::ostringstream text;
+  app::require_regular_file(path.string());
   if (std::ifstream file(path, std::ios::binary); file) text << file.rdbuf();
   return text.str();
 }

@@ -7,10 +7,13 @@
 #include <string_view>
 #include <system_error>
 
+#include "apps/system/files.hpp"
+
 namespace app {
 
 InputKind kind_of_input(const std::string& path) {
   if (std::filesystem::is_directory(path)) return InputKind::folder;
+  require_regular_file(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream)

@@ -21,7 +21,18 @@
 
 namespace app {
 
+void require_regular_file(const std::string& path) {
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
+      std::filesystem::is_directory(status))
+    return;
+  throw Rejected(Exit::io, path, "is not a regular file", "must be a file that can be read",
+                 "save what comes from the pipe or device in a file first");
+}
+
 std::string read_text_file(const std::string& path, std::size_t longest) {
+  require_regular_file(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   const bool folder = std::filesystem::is_directory(path);

@@ -14,9 +14,12 @@ namespace app {
 inline constexpr std::size_t longest_text = std::size_t{16} << 20U;    ///< of what a person writes [bytes]
 inline constexpr std::size_t longest_table = std::size_t{256} << 20U;  ///< of what a machine measured [bytes]
 
-/// Pipes and devices are read too, and not beyond `longest` bytes.
-/// @throws Rejected naming the file: (Exit::io) with the reason of the system, (Exit::data) when it is
-/// longer.
+/// A pipe or a device may never begin, or never end: it is not even opened.
+/// @throws Rejected (Exit::io) for what is there and neither a regular file nor a folder.
+void require_regular_file(const std::string& path);
+
+/// @throws Rejected naming the file: (Exit::io) for what is no regular file, and with the reason of the
+/// system; (Exit::data) when it is longer.
 [[nodiscard]] std::string read_text_file(const std::string& path, std::size_t longest = longest_text);
 
 }  // namespace app

@@ -36,6 +36,8 @@ void pass_header(Archive& archive, Kept& kept, Text& scene_text, Text& remarks) 
 
 std::string bytes_of(const std::string& path) {
   if (std::filesystem::is_directory(path)) throw FileError(path, "is a folder", "must be a checkpoint");
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+    throw FileError(path, "is not a regular file", "must be a checkpoint");
   errno = 0;
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream.is_open() ? static_cast<std::streamoff>(stream.tellg()) : -1;

@@ -144,6 +144,8 @@ class Sha256 {
 
 std::string sha256_of_file(const std::string& path) {
   if (std::filesystem::is_directory(path)) cannot_read(path, "is a folder");
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+    cannot_read(path, "is not a regular file");  // opening a pipe would wait for its other end
   const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) cannot_read(path, std::generic_category().message(errno));
   Sha256 sum;

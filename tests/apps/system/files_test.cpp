@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -43,7 +44,14 @@ TEST(TextFile, IsReadAsFarAsIsAllowed) {
 }
 
 TEST(TextFile, ThatNeverEndsIsRefused) {
-  EXPECT_EQ(message("/dev/zero", app::longest_text), "/dev/zero: is too long; at most 16 MiB are read");
+  const test::TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {std::string("/dev/zero"), pipe})
+    EXPECT_EQ(message(path, app::longest_text),
+              path +
+                  ": is not a regular file; must be a file that can be read; "
+                  "save what comes from the pipe or device in a file first");
 }
 
 TEST(TextFile, SaysWhyItCannotBeRead) {

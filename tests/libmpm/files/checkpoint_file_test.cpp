@@ -98,6 +98,9 @@ TEST_F(CheckpointFile, SaysWhatCannotBeRead) {
   EXPECT_THAT(complaint(), StartsWith("cannot be read: No such file"));
   std::filesystem::create_directory(path_);
   EXPECT_THAT(complaint(), StartsWith("is a folder"));
+  std::filesystem::remove(path_);
+  std::filesystem::create_symlink("/dev/zero", path_);
+  EXPECT_THAT(complaint(), StartsWith("is not a regular file"));
 }
 
 TEST_F(CheckpointFile, AsksForNoMemoryForWhatIsNone) {

@@ -131,6 +131,7 @@ TEST(Digest, SaysWhichFileCannotBeRead) {
     EXPECT_EQ(error.fault, specimen::Fault::write);
   }
   EXPECT_THROW(std::ignore = sha256_of_file(folder / ""), specimen::Error);
+  EXPECT_THROW(std::ignore = sha256_of_file("/dev/zero"), specimen::Error) << "which never ends";
 }
 
 }  // namespace files_test
