@@ -10,6 +10,7 @@
 #include "apps/job/specimen_source.hpp"
 #include "apps/scene/input.hpp"
 #include "apps/text/complaint.hpp"
+#include "apps/text/figures.hpp"
 #include "apps/text/text_parts.hpp"
 #include "specimen/convert/convert.hpp"
 
@@ -40,6 +41,9 @@ nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specime
   return result;
 }
 
+constexpr double seconds_a_pixel = 0.25e-6;  ///< of a picture without a given number of pixels [s]
+constexpr double long_wait = 10;             ///< that is told beforehand [s]
+
 class ConvertCommand : public SettingsCommand {
  public:
   explicit ConvertCommand(CLI::App& program)
@@ -64,7 +68,7 @@ class ConvertCommand : public SettingsCommand {
         output_.empty() ? std::filesystem::path(picture).filename().replace_extension(".h5").string()
                         : output_;
     check_output(output, picture);
-    const Prepared prepared = prepare_or_show_ways(resolved.settings);
+    const Prepared prepared = prepare_or_show_ways(console, resolved.settings);
     auto figures = specimen_json(prepared.specimen, {});
     if (!reference_.empty())
       figures["intersection_over_union"] =
@@ -78,9 +82,15 @@ class ConvertCommand : public SettingsCommand {
 
  private:
   /// A map that can be read in two ways is not converted; the commands for both are shown.
-  Prepared prepare_or_show_ways(const Settings& settings) const {
+  Prepared prepare_or_show_ways(Console& console, const Settings& settings) const {
     try {
-      return prepare_specimen(settings);
+      return prepare_specimen(settings, [&](std::int64_t rows, std::int64_t cols) {
+        const double seconds = seconds_a_pixel * static_cast<double>(rows) * static_cast<double>(cols);
+        if (seconds >= long_wait)
+          console.say(fmt::format("note: a picture of {} x {} pixels takes about {:.0f} s",
+                                  output::grouped(cols), output::grouped(rows),
+                                  10 * std::ceil(seconds / 10)));
+      });
     } catch (const specimen::TwoReadings& two) {
       std::string ways;
       for (const std::string& phases : two.label_phases)

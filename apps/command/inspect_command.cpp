@@ -75,7 +75,8 @@ Json picture_json(const std::string& path) {
                {"bits", picture.bits},
                {"pixel_size_m", picture.pixel_size > 0 ? Json(picture.pixel_size) : Json(nullptr)}};
   if (picture.gray.empty()) return figures;
-  const std::set<double> values(picture.gray.data.begin(), picture.gray.data.end());
+  const std::set<double> values =
+      picture.gray.data.visit([](const auto& all) { return std::set<double>(all.begin(), all.end()); });
   figures["distinct_values"] = values.size();
   figures["lowest"] = *values.begin();
   figures["highest"] = *values.rbegin();

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "apps/job/specimen_report.hpp"
 #include "apps/scene/ellipse_list.hpp"
@@ -95,14 +96,16 @@ Prepared prepare_specimen(specimen::Picture picture, const Settings& settings) {
   return with_rings(specimen::convert_picture(std::move(picture), settings.convert), settings);
 }
 
-Prepared prepare_specimen(const Settings& settings) {
+Prepared prepare_specimen(const Settings& settings, specimen::SizeListener before_pixels) {
   switch (source_of(settings)) {
     case Source::generated:
       return generate(settings);
     case Source::ellipses:
       return draw(settings, settings.specimen.ellipse_list, provenance(settings, "ellipse list", fs::path()));
     case Source::picture:
-      return with_rings(specimen::convert_picture(settings.specimen.picture, settings.convert), settings);
+      return with_rings(
+          specimen::convert_picture(settings.specimen.picture, settings.convert, std::move(before_pixels)),
+          settings);
     case Source::file:
       return {read_specimen(settings.specimen.file), {}, {}};
   }

@@ -24,8 +24,10 @@ struct Prepared {
   specimen::LabelledMask segmentation;  ///< of a picture, before rings were drawn; else empty
 };
 
-/// Generate, draw, convert or read the specimen of settled settings.   @throws specimen::Error, Rejected.
-[[nodiscard]] Prepared prepare_specimen(const Settings& settings);
+/// Generate, draw, convert or read the specimen of settled settings.
+/// @param before_pixels  is told the size of a picture before it is read.   @throws specimen::Error,
+/// Rejected.
+[[nodiscard]] Prepared prepare_specimen(const Settings& settings, specimen::SizeListener before_pixels = {});
 
 /// Convert a picture that is there already; specimen.picture and specimen.sha256 of the settings tell what it
 /// is called, and the SHA-256 of its pixels.   @throws specimen::Error.

@@ -56,10 +56,12 @@ specimen::Picture picture_of(const py::object& object) {
     return picture;
   }
   const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>(image);
-  picture.gray = raster_of<double>(values.data(), image.shape(0), image.shape(1));
+  auto gray = raster_of<double>(values.data(), image.shape(0), image.shape(1));
   picture.bits = static_cast<int>(8 * image.itemsize());
-  const auto& gray = picture.gray.data;
-  if (!std::all_of(gray.begin(), gray.end(), [](double value) { return std::isfinite(value); }))
+  const bool finite =
+      std::all_of(gray.data.begin(), gray.data.end(), [](double v) { return std::isfinite(v); });
+  picture.gray = std::move(gray);
+  if (!finite)
     refuse("a value that is not finite", "must be numbers throughout",
            "numpy.nan_to_num puts others in their place");
   return picture;
@@ -70,7 +72,8 @@ std::string digest_of(const specimen::Picture& picture) {
     return std::string_view(reinterpret_cast<const char*>(raster.data.data()),
                             raster.size() * sizeof(raster.data.front()));
   };
-  return specimen::sha256_of_text(picture.gray.empty() ? bytes(picture.colour) : bytes(picture.gray));
+  return specimen::sha256_of_text(picture.gray.empty() ? bytes(picture.colour)
+                                                       : bytes(picture.gray.doubles()));
 }
 
 namespace {

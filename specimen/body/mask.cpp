@@ -24,7 +24,11 @@ std::uint8_t label_of(std::vector<std::string>& phases, std::string_view name) {
 
 std::vector<std::int64_t> count_labels(const LabelledMask& mask) {
   std::vector<std::int64_t> counts(256, 0);
-  for (const std::uint8_t label : mask.labels.data) ++counts[label];
+  const std::vector<std::uint8_t>& labels = mask.labels.data;
+  for (std::size_t first = 0, end = 0; first < labels.size(); first = end) {  // runs: neighbours are alike
+    for (end = first + 1; end < labels.size() && labels[end] == labels[first];) ++end;
+    counts[labels[first]] += static_cast<std::int64_t>(end - first);
+  }
   const auto last = std::find_if(counts.rbegin(), counts.rend(), [](std::int64_t n) { return n > 0; });
   const auto used = static_cast<std::size_t>(counts.rend() - last);
   if (used > mask.phases.size()) {
@@ -67,34 +71,42 @@ class Sets {
 
 template <class T>
 Components pieces(const Raster<T>& values, Connectivity connectivity) {
-  Components result{Raster<std::int32_t>(values.rows, values.cols, -1), {}};
+  Components result{Raster<std::int32_t>(values.rows, values.cols), {}};
   Sets sets;
-  const bool corners = connectivity == Connectivity::corners;
-  for (int r = 0; r < values.rows; ++r)
-    for (int c = 0; c < values.cols; ++c) {
-      std::int32_t& mine = result.piece(r, c);
-      const auto look_at = [&](int row, int col) {
-        if (!values.contains(row, col) || values(row, col) != values(r, c)) return;
-        const std::int32_t theirs = result.piece(row, col);
-        mine = mine < 0 ? theirs : (mine == theirs ? mine : sets.join(mine, theirs));
-      };
-      look_at(r, c - 1);
-      look_at(r - 1, c);
-      if (corners) {
-        look_at(r - 1, c - 1);
-        look_at(r - 1, c + 1);
+  const int reach = connectivity == Connectivity::corners ? 1 : 0;
+  for (int r = 0; r < values.rows; ++r) {
+    const T* row = &values(r, 0);
+    std::int32_t* piece = &result.piece(r, 0);
+    for (int first = 0, end = 0; first < values.cols; first = end) {
+      const T value = row[first];
+      for (end = first + 1; end < values.cols && row[end] == value;) ++end;
+      std::int32_t mine = -1;
+      if (r > 0) {
+        const T* above = row - values.cols;
+        const std::int32_t* pieces_above = piece - values.cols;
+        std::int32_t last = -1;
+        for (int c = std::max(0, first - reach); c < std::min(values.cols, end + reach); ++c) {
+          if (above[c] != value || pieces_above[c] == last) continue;
+          last = pieces_above[c];
+          mine = mine < 0 ? last : (mine == last ? mine : sets.join(mine, last));
+        }
       }
       if (mine < 0) mine = sets.add();
+      std::fill(piece + first, piece + end, mine);
     }
+  }
   std::vector<std::int32_t> number(sets.size(), -1);
-  for (std::int32_t& piece : result.piece.data) {
-    std::int32_t& n = number[static_cast<std::size_t>(sets.find(piece))];
+  std::vector<std::int32_t>& piece = result.piece.data;
+  for (std::size_t first = 0, end = 0; first < piece.size(); first = end) {
+    const std::int32_t provisional = piece[first];
+    for (end = first + 1; end < piece.size() && piece[end] == provisional;) ++end;
+    std::int32_t& n = number[static_cast<std::size_t>(sets.find(provisional))];
     if (n < 0) {
       n = result.count();
       result.area.push_back(0);
     }
-    piece = n;
-    ++result.area[static_cast<std::size_t>(n)];
+    std::fill(&piece[first], &piece[first] + (end - first), n);
+    result.area[static_cast<std::size_t>(n)] += static_cast<std::int64_t>(end - first);
   }
   return result;
 }

@@ -130,9 +130,9 @@ Picture squared(Picture picture, const ConvertOptions& o, ConvertReport& report)
                          grouped(rows) + " square ones of " + grouped(picture.cols()) + " x " +
                          grouped(picture.rows()));
   picture.pixel_size *= static_cast<double>(picture.cols()) / cols;
-  const auto repeat = [&](auto& raster) {
-    if (raster.empty()) return;
-    auto larger = raster;
+  const auto repeated = [&](const auto& raster) {
+    std::decay_t<decltype(raster)> larger;
+    if (raster.empty()) return larger;
     larger.rows = rows;
     larger.cols = cols;
     larger.data.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
@@ -140,20 +140,26 @@ Picture squared(Picture picture, const ConvertOptions& o, ConvertReport& report)
       for (int c = 0; c < cols; ++c)
         larger(r, c) = raster(static_cast<int>((std::int64_t{2} * r + 1) * raster.rows / (2 * rows)),
                               static_cast<int>((std::int64_t{2} * c + 1) * raster.cols / (2 * cols)));
-    raster = std::move(larger);
+    return larger;
   };
-  repeat(picture.gray);
-  repeat(picture.colour);
-  repeat(picture.indices);
-  repeat(picture.opacity);
+  picture.gray = picture.gray.with(repeated);
+  picture.colour = repeated(picture.colour);
+  picture.indices = repeated(picture.indices);
+  picture.opacity = repeated(picture.opacity);
   picture.pixel_aspect = 1;
   return picture;
 }
 
 /// Transparent pixels over white, for those who want them as part of the specimen.
 void lay_over_white(Picture& picture) {
-  const bool is_grey = !picture.gray.empty() && picture.indices.empty() && picture.bits <= 16;
-  const double white = std::ldexp(1.0, picture.bits) - 1;
+  if (picture.opacity.empty()) return;
+  const bool is_grey = !picture.gray.empty() && picture.bits <= 16;
+  const bool are_bytes = picture.gray.data.visit([](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [](auto v) { return v <= 255; });
+  });
+  const double white = std::ldexp(1.0, are_bytes ? std::min(8, picture.bits) : picture.bits) - 1;
+  picture.indices = {};  // which have no names for what comes of it
+  picture.names.clear();
   for (std::size_t i = 0; i < picture.opacity.size(); ++i) {
     const double opaque = picture.opacity.data[i] / 255.0;
     if (is_grey) picture.gray.data[i] = std::round(picture.gray.data[i] * opaque + white * (1 - opaque));
@@ -212,17 +218,20 @@ void note_shares(const Shares& before, const Sorted& sorted, double pixel_size, 
 }
 
 /// Bring the cells to the pixels of the mask.   @return the pixel size [m].
-double resample(Sorted& sorted, const Picture& picture, const ConvertOptions& o, double source_pixel,
+double resample(Sorted& sorted, int rows, int cols, const ConvertOptions& o, double source_pixel,
                 ConvertReport& report) {
-  if (o.pixels == 0) return source_pixel;
-  const Resampling to = choose_mask_size(picture.rows(), picture.cols(), sorted.factor, o.pixels);
+  if (o.pixels == 0) {
+    if (sorted.factor > 1) sorted.cells = at_centres(sorted.cells, {rows, cols, sorted.factor, rows, cols});
+    return source_pixel;
+  }
+  const Resampling to = choose_mask_size(rows, cols, sorted.factor, o.pixels);
   const Shares before = shares_of(sorted.cells);
   sorted.cells = resampled(sorted.cells, to);
-  report.notes.push_back("resampled " + grouped(picture.cols()) + " x " + grouped(picture.rows()) +
-                         " pixels to " + grouped(to.cols) + " x " + grouped(to.rows) +
+  report.notes.push_back("resampled " + grouped(cols) + " x " + grouped(rows) + " pixels to " +
+                         grouped(to.cols) + " x " + grouped(to.rows) +
                          (to.cols > to.source_cols ? " by the nearest" : " by majority"));
   if (to.cols < to.source_cols) note_shares(before, sorted, source_pixel * to.ratio(), report);
-  const double left_out = picture.rows() - to.rows * to.ratio();
+  const double left_out = rows - to.rows * to.ratio();
   if (left_out > 0.01)
     report.notes.push_back("omitted " + short_number(left_out) +
                            (short_number(left_out) == "1" ? " pixel row" : " pixel rows") +
@@ -231,16 +240,22 @@ double resample(Sorted& sorted, const Picture& picture, const ConvertOptions& o,
 }
 
 /// Number the grains that are left 1, 2, ... in the order of their numbers.
-void fill_instances(Segmented& segmented, const Raster<Cell>& cells) {
+void fill_instances(Segmented& segmented, Raster<Cell> cells) {
   const std::vector<std::int32_t> numbers = grain_numbers(cells);
   segmented.mask.labels = Raster<std::uint8_t>(cells.rows, cells.cols);
-  segmented.instances = Raster<std::int32_t>(cells.rows, cells.cols, 0);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Cell cell = cells.data[i];
-    segmented.mask.labels.data[i] = phase_of(cell);
-    if (cell >= first_grain)
-      segmented.instances.data[i] = static_cast<std::int32_t>(
+  std::transform(cells.data.begin(), cells.data.end(), segmented.mask.labels.data.begin(), phase_of);
+  segmented.instances = std::move(cells);  // in their place: a large picture fills the memory
+  std::int32_t last = 0, last_number = 0;
+  for (std::int32_t& cell : segmented.instances.data) {
+    if (cell < first_grain) {
+      cell = 0;
+      continue;
+    }
+    if (cell != last)
+      last_number = static_cast<std::int32_t>(
           std::lower_bound(numbers.begin(), numbers.end(), cell - first_grain) - numbers.begin() + 1);
+    last = cell;
+    cell = last_number;
   }
   segmented.inclusions = measure_inclusions(segmented.instances, segmented.mask.pixel_size);
 }
@@ -259,9 +274,10 @@ void note_result(const Segmented& segmented, ConvertReport& report) {
 
 }  // namespace
 
-Converted convert_picture(const std::string& path, const ConvertOptions& options) {
+Converted convert_picture(const std::string& path, const ConvertOptions& options,
+                          SizeListener before_pixels) {
   check_options(options);
-  return convert_picture(read_picture(path, options.max_pixels), options);
+  return convert_picture(read_picture(path, options.max_pixels, std::move(before_pixels)), options);
 }
 
 Converted convert_picture(Picture whole, const ConvertOptions& options) {
@@ -276,7 +292,8 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
   if (options.outside == Outside::none) lay_over_white(picture);
   report.source_pixel_size = source_pixel_size(picture, options, report);
 
-  Sorted sorted = segment(picture, options, report);
+  const int rows = picture.rows(), cols = picture.cols();
+  Sorted sorted = segment(std::move(picture), options, report);
   const double cell_size = report.source_pixel_size * sorted.factor;
   clean(sorted.cells, plan_cleaning(sorted, options, cell_size), cell_size, report);
   clear_outside(sorted);
@@ -284,8 +301,8 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
 
   LabelledMask& mask = result.segmented.mask;
   mask.phases = sorted.phases;
-  mask.pixel_size = resample(sorted, picture, options, report.source_pixel_size, report);
-  fill_instances(result.segmented, sorted.cells);
+  mask.pixel_size = resample(sorted, rows, cols, options, report.source_pixel_size, report);
+  fill_instances(result.segmented, std::move(sorted.cells));
   note_result(result.segmented, report);
   return result;
 }

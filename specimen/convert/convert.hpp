@@ -132,8 +132,10 @@ struct TwoReadings : Error {
 [[nodiscard]] Converted convert_picture(Picture picture, const ConvertOptions& options);
 
 /// Convert a picture file.
+/// @param before_pixels  is told the size of the picture before anything that may take long.
 /// @throws Error as above, and for a file that is not a valid picture.
-[[nodiscard]] Converted convert_picture(const std::string& path, const ConvertOptions& options);
+[[nodiscard]] Converted convert_picture(const std::string& path, const ConvertOptions& options,
+                                        SizeListener before_pixels = {});
 
 /// Intersection over union [-] of each phase of two masks of the same shape; NaN for a phase in neither.
 /// @throws Error if the shapes differ.

@@ -152,7 +152,7 @@ Picture cropped(Picture picture, const Crop& crop) {
                 size_text(crop.width, crop.height) + " at column " + std::to_string(crop.x) + ", row " +
                     std::to_string(crop.y),
                 "must lie within the picture of " + size_text(picture.cols(), picture.rows()));
-  picture.gray = part_of(picture.gray, crop);
+  picture.gray = picture.gray.with([&](const auto& raster) { return part_of(raster, crop); });
   picture.colour = part_of(picture.colour, crop);
   picture.indices = part_of(picture.indices, crop);
   picture.opacity = part_of(picture.opacity, crop);

@@ -104,11 +104,10 @@ std::int64_t dissolve_fringes(ValueMap& map) {
     rim.data[i] = piece.value >= 0 && piece.is_rim() && has_rims[place_of(piece.value)];
   }
   std::int64_t given = 0;
-  const Raster<std::int32_t> before = map.code;
   for (int r = 0; r < rim.rows; ++r)
     for (int c = 0; c < rim.cols; ++c) {
       if (rim(r, c) == 0) continue;
-      const std::int32_t side = side_of(before, rim, r, c);
+      const std::int32_t side = side_of(map.code, rim, r, c);
       if (side < 0) continue;
       map.code(r, c) = side;
       ++given;

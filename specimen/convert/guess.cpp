@@ -55,13 +55,14 @@ class Collector {
   std::int64_t seen_ = 0, changes_ = 0;
 };
 
+/// @param value_of  of each of the pixels, row by row; nothing for one that is no whole number.
 template <class T, class Value>
-std::optional<ValueMap> collect(const Raster<T>& pixels, int most, Value value_of) {
+std::optional<ValueMap> collect(int rows, int cols, const std::vector<T>& pixels, int most, Value value_of) {
   ValueMap map;
-  map.code = Raster<std::int32_t>(pixels.rows, pixels.cols);
+  map.code = Raster<std::int32_t>(rows, cols);
   Collector collector(most);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const std::optional<std::int64_t> value = value_of(pixels.data[i]);
+    const std::optional<std::int64_t> value = value_of(pixels[i]);
     if (!value) return std::nullopt;
     map.code.data[i] = collector.number_of(*value);
     if (map.code.data[i] < 0) return std::nullopt;
@@ -120,8 +121,8 @@ int blackest_of_palette(const Picture& picture, const ValueMap& map) {
 }
 
 std::optional<ValueMap> palette_indices(const Picture& picture, int most) {
-  std::optional<ValueMap> map =
-      collect(picture.indices, most, [](std::uint8_t i) { return std::optional<std::int64_t>(i); });
+  std::optional<ValueMap> map = collect(picture.rows(), picture.cols(), picture.indices.data, most,
+                                        [](std::uint8_t i) { return std::optional<std::int64_t>(i); });
   if (map) map->black = blackest_of_palette(picture, *map);
   return map;
 }
@@ -136,14 +137,23 @@ bool shares_colours(const Picture& picture) {
   return std::adjacent_find(values.begin(), values.end()) != values.end();
 }
 
-void name_by_palette(ValueMap& map, const Picture& picture) {
-  if (picture.indices.empty() || shares_colours(picture)) return;
+std::map<std::int64_t, std::int64_t> names_by_palette(const Picture& picture) {
+  if (!picture.names.empty()) return picture.names;
+  std::map<std::int64_t, std::int64_t> names;
+  if (picture.indices.empty() || shares_colours(picture)) return names;
   const auto shown = shown_by(picture);
+  for (std::size_t index = 0; index < shown.size(); ++index)
+    if (shown[index]) names[*shown[index]] = static_cast<std::int64_t>(index);
+  return names;
+}
+
+void name_by_palette(ValueMap& map, const Picture& picture) {
+  const std::map<std::int64_t, std::int64_t> known = names_by_palette(picture);
   std::vector<std::int64_t> names;
   for (const std::int64_t value : map.values) {
-    const auto index = std::find(shown.begin(), shown.end(), std::optional(value));
-    if (index == shown.end()) return;
-    names.push_back(index - shown.begin());
+    const auto name = known.find(value);
+    if (name == known.end()) return;
+    names.push_back(name->second);
   }
   map.names = std::move(names);
 }
@@ -152,12 +162,17 @@ std::optional<ValueMap> distinct_values(const Picture& picture, int most, Palett
   if (palette == Palette::indices && shares_colours(picture)) return palette_indices(picture, most);
   std::optional<ValueMap> map;
   const bool coloured = is_coloured(picture);
+  const auto collected = [&](const auto& pixels, const auto& value_of) {
+    return collect(picture.rows(), picture.cols(), pixels, most, value_of);
+  };
   if (!picture.gray.empty())
-    map = collect(picture.gray, most, whole_number);
+    map = picture.gray.data.visit([&](const auto& values) {
+      return collected(values, [](auto v) { return whole_number(static_cast<double>(v)); });
+    });
   else if (coloured)
-    map = collect(picture.colour, most, [](Rgb c) { return std::optional(number_of(c)); });
+    map = collected(picture.colour.data, [](Rgb c) { return std::optional(number_of(c)); });
   else
-    map = collect(picture.colour, most, [](Rgb c) { return std::optional<std::int64_t>(c.r); });
+    map = collected(picture.colour.data, [](Rgb c) { return std::optional<std::int64_t>(c.r); });
   if (!map) return map;
   map->colours = coloured;
   map->black = blackest(*map);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ enum class Palette {
 
 /// Whether some indices of the palette that are used have the same colour.
 [[nodiscard]] bool shares_colours(const Picture& picture);
+
+/// The index of each value that a palette shows; empty without a palette, or where some show the same.
+[[nodiscard]] std::map<std::int64_t, std::int64_t> names_by_palette(const Picture& picture);
 
 /// Name the values of a map by the indices of the palette, where each of them has one.
 void name_by_palette(ValueMap& map, const Picture& picture);

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 
 #include "specimen/body/measure.hpp"
+#include "specimen/convert/guess.hpp"
 
 namespace specimen {
 
@@ -18,27 +21,73 @@ bool is_coloured(const Picture& picture) {
 
 namespace {
 
+/// Whether all values pass a test.
+template <class Test>
+bool all_of(const GreyLevels& gray, const Test& test) {
+  return gray.data.visit([&](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [&](auto v) { return test(static_cast<double>(v)); });
+  });
+}
+
 /// Bytes that were divided by 255, as programs that compute with fractions keep them, become bytes again.
-void restore_bytes(Raster<double>& gray) {
+void restore_bytes(GreyLevels& gray) {
   constexpr double white = 255, rounding = 1e-4;
   const auto is_fraction = [](double v) { return v > 0 && v < 1; };
   const auto is_byte = [](double v) {
     return std::isnan(v) || (v >= 0 && v <= 1 && std::abs(v * white - std::round(v * white)) <= rounding);
   };
-  if (!std::all_of(gray.data.begin(), gray.data.end(), is_byte)) return;
-  if (std::none_of(gray.data.begin(), gray.data.end(), is_fraction)) return;
-  for (double& v : gray.data) v = std::round(v * white);
+  if (!all_of(gray, is_byte) || all_of(gray, [&](double v) { return !is_fraction(v); })) return;
+  gray = gray.with([&](auto raster) {
+    using T = typename decltype(raster.data)::value_type;
+    for (T& v : raster.data) v = static_cast<T>(std::round(static_cast<double>(v) * white));
+    return raster;
+  });
+}
+
+/// Whole numbers in 8 or 16 bits where they fit.
+void narrow(GreyLevels& gray) {
+  const auto into = [&](auto raster) {
+    using T = typename decltype(raster.data)::value_type;
+    gray.data.visit([&](const auto& values) {
+      std::transform(values.begin(), values.end(), raster.data.begin(),
+                     [](auto v) { return static_cast<T>(v); });
+    });
+    gray = std::move(raster);
+  };
+  constexpr double byte = 255, two_bytes = 65535;
+  double high = 0;
+  const auto is_whole = [&](double v) {
+    high = std::max(high, v);
+    return v >= 0 && v <= two_bytes && v == std::floor(v);
+  };
+  const bool is_narrow = gray.data.visit([](const auto& values) { return sizeof(values.front()) <= 2; });
+  if (is_narrow || !all_of(gray, is_whole)) return;
+  if (high <= byte)
+    into(Raster<std::uint8_t>(gray.rows, gray.cols));
+  else
+    into(Raster<std::uint16_t>(gray.rows, gray.cols));
+}
+
+/// The indices of a palette become names of what they show, where each shows something of its own.
+void name_values(Picture& picture) {
+  if (picture.indices.empty()) return;
+  picture.bits = 8;  // of what is shown
+  if (shares_colours(picture)) return;
+  picture.names = names_by_palette(picture);
+  picture.indices = {};
 }
 
 }  // namespace
 
 Picture in_common_form(Picture picture) {
+  name_values(picture);
   restore_bytes(picture.gray);
-  if (!picture.indices.empty()) picture.bits = 8;  // of what the palette shows
+  narrow(picture.gray);
   if (picture.colour.empty() || is_coloured(picture)) return picture;
-  picture.gray = Raster<double>(picture.colour.rows, picture.colour.cols);
-  std::transform(picture.colour.data.begin(), picture.colour.data.end(), picture.gray.data.begin(),
+  Raster<std::uint8_t> gray(picture.colour.rows, picture.colour.cols);
+  std::transform(picture.colour.data.begin(), picture.colour.data.end(), gray.data.begin(),
                  [](Rgb c) { return c.r; });
+  picture.gray = std::move(gray);
   picture.colour = {};
   return picture;
 }
@@ -49,20 +98,30 @@ struct Range {
   double low = 0, high = 0;
 };
 
-Range range_of(const Raster<double>& gray) {
+Range range_of(const GreyLevels& gray) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const double v : gray.data)
-    if (!std::isnan(v)) range.low = std::min(range.low, v), range.high = std::max(range.high, v);
+  gray.data.visit([&](const auto& values) {
+    if (values.empty()) return;
+    auto low = std::numeric_limits<typename std::decay_t<decltype(values)>::value_type>::max(), high = low;
+    bool any = false;
+    for (const auto v : values) {
+      if (v != v) continue;  // not a number
+      if (!any) low = high = v;
+      any = true;
+      low = std::min(low, v), high = std::max(high, v);
+    }
+    if (any) range = {static_cast<double>(low), static_cast<double>(high)};
+  });
   if (range.low > range.high) range = {};
   return range;
 }
 
 /// Range of all but one in a thousand at either end.
-Range usual_range(const Raster<double>& gray) {
+Range usual_range(const GreyLevels& gray) {
   std::vector<double> sorted;
   const std::size_t step = std::max<std::size_t>(1, gray.size() / 1'000'000);
   for (std::size_t i = 0; i < gray.size(); i += step)
-    if (!std::isnan(gray.data[i])) sorted.push_back(gray.data[i]);
+    if (const double v = gray.data[i]; !std::isnan(v)) sorted.push_back(v);
   if (sorted.empty()) return {};
   const std::size_t tail = sorted.size() / 1000;
   const auto pick = [&](std::size_t i) {
@@ -73,30 +132,32 @@ Range usual_range(const Raster<double>& gray) {
 }
 
 /// Whole numbers, or fractions over much of the range, from 0 to 255.
-bool are_bytes(const Raster<double>& gray, Range all) {
+bool are_bytes(const GreyLevels& gray, Range all) {
   if (all.low < 0 || all.high > 255 || all.high <= 1) return false;
   constexpr double much = 32;
   const auto is_whole = [](double v) { return std::isnan(v) || v == std::floor(v); };
-  if (std::all_of(gray.data.begin(), gray.data.end(), is_whole)) return true;
+  if (all_of(gray, is_whole)) return true;
   const Range usual = usual_range(gray);
   return usual.high - usual.low > much;
 }
 
 /// Largest number that all values are multiples of; 0 where one is negative or no whole number.
-double common_step(const Raster<double>& gray) {
+double common_step(const GreyLevels& gray) {
   constexpr double largest = 9e15;  // beyond it doubles skip whole numbers
   std::int64_t step = 0;
-  for (const double v : gray.data) {
-    if (std::isnan(v)) continue;
-    if (v < 0 || v > largest || v != std::floor(v)) return 0;
-    step = std::gcd(step, static_cast<std::int64_t>(v));
-    if (step == 1) return 1;
-  }
-  return static_cast<double>(step);
+  const auto share = [&](double v) {
+    if (std::isnan(v)) return true;
+    if (v < 0 || v > largest || v != std::floor(v)) return false;
+    const auto whole = static_cast<std::int64_t>(v);
+    if (step == 0 || whole % step != 0) step = std::gcd(step, whole);
+    return step != 1;
+  };
+  const bool all = all_of(gray, share);
+  return all || step == 1 ? static_cast<double>(step) : 0;
 }
 
 /// What bytes were multiplied by to fill more bits; 0 where they are no such bytes.
-double step_of_bytes(const Raster<double>& gray, Range all) {
+double step_of_bytes(const GreyLevels& gray, Range all) {
   constexpr double most = 255, fewest_levels = 32;  // below them the numbers may be those of labels
   const double step = common_step(gray);
   for (const double usual : {257.0, 256.0})
@@ -106,7 +167,7 @@ double step_of_bytes(const Raster<double>& gray, Range all) {
 
 }  // namespace
 
-std::string tame_outliers(Raster<double>& gray) {
+std::string tame_outliers(GreyLevels& gray) {
   const Range all = range_of(gray);
   if (are_bytes(gray, all) || step_of_bytes(gray, all) > 0) return {};
   const Range usual = usual_range(gray);
@@ -117,10 +178,10 @@ std::string tame_outliers(Raster<double>& gray) {
   std::size_t first = 0;
   double worst = 0;
   for (std::size_t i = 0; i < gray.size(); ++i) {
-    double& v = gray.data[i];
+    const double v = std::as_const(gray).data[i];
     if (std::isnan(v) || (v >= low && v <= high)) continue;
     if (count++ == 0) first = i, worst = v;
-    v = v < low ? usual.low : usual.high;
+    gray.data[i] = v < low ? usual.low : usual.high;
   }
   const auto cols = static_cast<std::size_t>(gray.cols);
   return counted(count, "pixel") + " far outside of the range of the others (" + short_number(usual.low) +
@@ -145,7 +206,7 @@ double white_of(Range range) {
   return 0;
 }
 
-Scale scale_of(const Raster<double>& gray, int bits) {
+Scale scale_of(const GreyLevels& gray, int bits) {
   constexpr double byte = 255, much = 0.2;
   if (bits < 8) return {0, byte / (std::ldexp(1.0, bits) - 1)};
   const Range range = range_of(gray);
@@ -158,23 +219,26 @@ Scale scale_of(const Raster<double>& gray, int bits) {
 
 }  // namespace
 
-bool is_spread(const Raster<double>& gray, int bits) { return scale_of(gray, bits).spread; }
+bool is_spread(const GreyLevels& gray, int bits) { return scale_of(gray, bits).spread; }
 
-Raster<Rgb> as_colour(const Raster<double>& gray, int bits) {
+Raster<Rgb> as_colour(const GreyLevels& gray, int bits) {
   const Scale scale = scale_of(gray, bits);
   Raster<Rgb> colour(gray.rows, gray.cols);
-  std::transform(gray.data.begin(), gray.data.end(), colour.data.begin(), [&](double v) {
-    if (std::isnan(v)) return Rgb{};
-    const auto level =
-        static_cast<std::uint8_t>(std::lround(std::clamp((v - scale.start) * scale.factor, 0.0, 255.0)));
-    return Rgb{level, level, level};
+  gray.data.visit([&](const auto& values) {
+    std::transform(values.begin(), values.end(), colour.data.begin(), [&](auto value) {
+      const auto v = static_cast<double>(value);
+      if (std::isnan(v)) return Rgb{};
+      const auto level =
+          static_cast<std::uint8_t>(std::lround(std::clamp((v - scale.start) * scale.factor, 0.0, 255.0)));
+      return Rgb{level, level, level};
+    });
   });
   return colour;
 }
 
 Raster<Rgb> shown_colours(const Picture& picture) {
   if (picture.gray.empty()) return picture.colour;
-  Raster<double> gray = picture.gray;
+  GreyLevels gray = picture.gray;
   (void)tame_outliers(gray);
   return as_colour(gray, picture.bits);
 }

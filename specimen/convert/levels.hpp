@@ -21,10 +21,10 @@ namespace specimen {
 /// Bring the few values far outside of the range of all others (a hot pixel of a detector) to the ends of
 /// this range. Bytes stay as they are.
 /// @return a note that names them and the first of them; empty where there are none.
-std::string tame_outliers(Raster<double>& gray);
+std::string tame_outliers(GreyLevels& gray);
 
-/// A picture in the form that all its encodings share: grey where it has no colours, of as many bits as are
-/// shown. Indices into a palette stay: users know the values by them.
+/// A picture in the form that all its encodings share: grey where it has no colours, in the smallest numbers
+/// that hold it; what a palette shows, with its indices as names, or still there where some show the same.
 [[nodiscard]] Picture in_common_form(Picture picture);
 
 /// Grey as colour, each level the byte that it is in an encoding of 8 bits:
@@ -34,10 +34,10 @@ std::string tame_outliers(Raster<double>& gray);
 /// - others with their span brought to 0 ... 255.
 /// Not-a-number becomes black.
 /// @param bits  per value, as stored.
-[[nodiscard]] Raster<Rgb> as_colour(const Raster<double>& gray, int bits = 8);
+[[nodiscard]] Raster<Rgb> as_colour(const GreyLevels& gray, int bits = 8);
 
 /// Whether as_colour() spreads the values, so that the darkest of them need not be black.
-[[nodiscard]] bool is_spread(const Raster<double>& gray, int bits = 8);
+[[nodiscard]] bool is_spread(const GreyLevels& gray, int bits = 8);
 
 /// The colours of a picture, grey by as_colour() after tame_outliers().
 [[nodiscard]] Raster<Rgb> shown_colours(const Picture& picture);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,23 +15,29 @@ namespace {
 
 using Place = std::pair<int, int>;
 
-std::array<Place, 4> corners_of(const Raster<std::int32_t>& code) {
+template <class T>
+std::array<Place, 4> corners_of(const Raster<T>& code) {
   return {{{0, 0}, {0, code.cols - 1}, {code.rows - 1, 0}, {code.rows - 1, code.cols - 1}}};
 }
 
-/// Mark the piece of equal code that a place belongs to.
-void flood(const Raster<std::int32_t>& code, Place start, OutsideMask& marked) {
-  if (marked(start.first, start.second) != 0) return;
-  const std::int32_t value = code(start.first, start.second);
+/// Mark the piece of equal code that a place belongs to, a run of a row at a time: few are ever open.
+template <class T>
+void flood(const Raster<T>& code, Place start, OutsideMask& marked) {
+  const T value = code(start.first, start.second);
   std::vector<Place> open{start};
-  marked(start.first, start.second) = 1;
+  const auto is_open = [&](int r, int c) { return code(r, c) == value && marked(r, c) == 0; };
   while (!open.empty()) {
     const auto [r, c] = open.back();
     open.pop_back();
-    for (const auto& [row, col] : {Place{r - 1, c}, Place{r + 1, c}, Place{r, c - 1}, Place{r, c + 1}}) {
-      if (!code.contains(row, col) || marked(row, col) != 0 || code(row, col) != value) continue;
-      marked(row, col) = 1;
-      open.emplace_back(row, col);
+    if (!is_open(r, c)) continue;
+    int first = c, last = c;
+    while (first > 0 && is_open(r, first - 1)) --first;
+    while (last + 1 < code.cols && is_open(r, last + 1)) ++last;
+    std::fill(&marked(r, first), &marked(r, first) + (last - first + 1), std::uint8_t{1});
+    for (const int row : {r - 1, r + 1}) {
+      if (row < 0 || row >= code.rows) continue;
+      for (int col = first; col <= last; ++col)
+        if (is_open(row, col) && (col == first || !is_open(row, col - 1))) open.emplace_back(row, col);
     }
   }
 }
@@ -74,18 +81,21 @@ double hull_area(const OutsideMask& marked) {
 }
 
 /// Value at the most corners, and at how many.
-std::pair<std::int32_t, int> commonest_corner(const Raster<std::int32_t>& code) {
+template <class T>
+std::pair<std::int32_t, int> commonest_corner(const Raster<T>& code) {
   std::pair<std::int32_t, int> best{-1, 0};
   for (const auto& [r, c] : corners_of(code)) {
-    if (code(r, c) < 0) continue;
+    const std::int32_t value = code(r, c);
+    if (value < 0) continue;
     int alike = 0;
     for (const auto& [row, col] : corners_of(code)) alike += code(row, col) == code(r, c);
-    if (alike > best.second) best = {code(r, c), alike};
+    if (alike > best.second) best = {value, alike};
   }
   return best;
 }
 
-OutsideMask corner_pieces(const Raster<std::int32_t>& code, std::int32_t value) {
+template <class T>
+OutsideMask corner_pieces(const Raster<T>& code, std::int32_t value) {
   OutsideMask marked(code.rows, code.cols, 0);
   for (const Place& corner : corners_of(code))
     if (code(corner.first, corner.second) == value) flood(code, corner, marked);
@@ -110,7 +120,8 @@ double border_share(const OutsideMask& marked) {
 
 /// Whether it takes much of the border of the picture, as stones at the corners do not; or all corners, and
 /// has no other pieces.
-bool is_round_about(const Raster<std::int32_t>& code, const OutsideMask& marked, int corners) {
+template <class T>
+bool is_round_about(const Raster<T>& code, const OutsideMask& marked, int corners) {
   constexpr double much = 0.25, some = 0.08, few = 0.02;
   const double share = border_share(marked);
   if (share >= much) return true;
@@ -162,18 +173,22 @@ OutsideMask without_value(const Picture& picture) {
   };
   for (std::size_t i = 0; i < picture.opacity.size(); ++i)
     if (picture.opacity.data[i] < 128) mark(i);
-  for (std::size_t i = 0; i < picture.gray.size(); ++i)
-    if (std::isnan(picture.gray.data[i])) mark(i);
+  picture.gray.data.visit([&](const auto& values) {
+    if constexpr (std::is_floating_point_v<typename std::decay_t<decltype(values)>::value_type>)
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::isnan(values[i])) mark(i);
+  });
   return marked;
 }
 
 OutsideMask outside_of_photograph(const Picture& picture, bool forced) {
   if (OutsideMask marked = without_value(picture); !marked.empty()) return marked;
-  const Raster<Rgb> colours = shown_colours(picture);
+  const Raster<Rgb> grey = picture.gray.empty() ? Raster<Rgb>() : shown_colours(picture);
+  const Raster<Rgb>& colours = picture.gray.empty() ? picture.colour : grey;
   const int dark = picture.lossy ? 20 : 6, light = 255 - dark;
   const Rgb corner = colours(0, 0);
-  Raster<std::int32_t> code(colours.rows, colours.cols);
-  std::transform(colours.data.begin(), colours.data.end(), code.data.begin(), [&](Rgb c) {
+  Raster<std::uint8_t> code(colours.rows, colours.cols);
+  std::transform(colours.data.begin(), colours.data.end(), code.data.begin(), [&](Rgb c) -> std::uint8_t {
     if (std::max({c.r, c.g, c.b}) <= dark) return 0;
     if (std::min({c.r, c.g, c.b}) >= light) return 1;
     if (forced &&

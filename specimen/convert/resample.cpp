@@ -188,19 +188,6 @@ Raster<Cell> coarser(const Raster<Cell>& cells, const Resampling& to) {
   return mask;
 }
 
-/// Cell under the centre of each mask pixel.
-Raster<Cell> at_centres(const Raster<Cell>& cells, const Resampling& to) {
-  const auto cell_at = [&](int i, int count) {
-    const std::int64_t at =
-        (2 * std::int64_t{i} + 1) * to.source_cols / (2 * std::int64_t{to.cols} * to.factor);
-    return static_cast<int>(std::min<std::int64_t>(at, count - 1));
-  };
-  Raster<Cell> mask(to.rows, to.cols);
-  for (int r = 0; r < to.rows; ++r)
-    for (int c = 0; c < to.cols; ++c) mask(r, c) = cells(cell_at(r, cells.rows), cell_at(c, cells.cols));
-  return mask;
-}
-
 }  // namespace
 
 Resampling choose_mask_size(int source_rows, int source_cols, int factor, int pixels) {
@@ -213,6 +200,18 @@ Resampling choose_mask_size(int source_rows, int source_cols, int factor, int pi
                 "ask for more columns");
   to.rows = 2 * static_cast<int>(std::floor((rows + 0.5) / 2));
   return to;
+}
+
+Raster<Cell> at_centres(const Raster<Cell>& cells, const Resampling& to) {
+  const auto cell_at = [&](int i, int count) {
+    const std::int64_t at =
+        (2 * std::int64_t{i} + 1) * to.source_cols / (2 * std::int64_t{to.cols} * to.factor);
+    return static_cast<int>(std::min<std::int64_t>(at, count - 1));
+  };
+  Raster<Cell> mask(to.rows, to.cols);
+  for (int r = 0; r < to.rows; ++r)
+    for (int c = 0; c < to.cols; ++c) mask(r, c) = cells(cell_at(r, cells.rows), cell_at(c, cells.cols));
+  return mask;
 }
 
 Raster<Cell> resampled(const Raster<Cell>& cells, const Resampling& to) {

@@ -19,6 +19,9 @@ struct Resampling {
 /// @throws Error if the picture is too flat for two rows.
 [[nodiscard]] Resampling choose_mask_size(int source_rows, int source_cols, int factor, int pixels);
 
+/// Cell under the centre of each pixel of the mask.
+[[nodiscard]] Raster<Cell> at_centres(const Raster<Cell>& cells, const Resampling& to);
+
 /// Each pixel of the mask gets the phase that covers most of it (the lower label if equal), and for aggregate
 /// the grain that covers most of it; of the pixels that are about half aggregate as many are as keep its
 /// area. An ITZ, where the picture has one, is drawn anew: the mortar along the edges of the aggregate

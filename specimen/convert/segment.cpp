@@ -36,16 +36,18 @@ int median_edge(const ConvertOptions& o, int rows, int cols) {
 }
 
 /// Twice the columns of the mask are sharp enough for a vote; below some 600 the colours of small pores mix
-/// with what is round them.
-int shrink_factor(const ConvertOptions& o, int cols) {
-  constexpr int fewest_columns = 600;
-  if (o.median != -1 || o.pixels == 0) return 1;
+/// with what is round them. Of a large picture the median would leave no more than its average over squares.
+int shrink_factor(const ConvertOptions& o, int rows, int cols) {
+  constexpr int fewest_columns = 600, enough = 2000;
+  if (o.median != -1) return 1;
+  const int large = std::max(1, std::min(rows, cols) / enough);
+  if (o.pixels == 0) return large;
   return std::max(1, cols / std::max(2 * o.pixels, fewest_columns));
 }
 
 template <class T>
 Raster<T> calmed(const Raster<T>& picture, const ConvertOptions& o, int& factor, ConvertReport& report) {
-  factor = shrink_factor(o, picture.cols);
+  factor = shrink_factor(o, picture.rows, picture.cols);
   Raster<T> calm = factor > 1 ? shrunk(picture, factor) : picture;
   if (factor > 1)
     note(report,
@@ -72,7 +74,7 @@ void note_classes(const Raster<std::uint8_t>& classes, const std::vector<std::st
 void fill_cells(Sorted& sorted, const Raster<std::uint8_t>& classes, const std::vector<std::string>& phases) {
   Raster<std::int32_t> code(classes.rows, classes.cols);
   for (std::size_t i = 0; i < code.size(); ++i) code.data[i] = classes.data[i];
-  fill_cells(sorted, code, phases);
+  fill_cells(sorted, std::move(code), phases);
   if (sorted.drawing) return;  // each colour is a grain of its own
   for (Cell& cell : sorted.cells.data)
     if (is_aggregate(cell)) cell = phase::aggregate;  // light and dark minerals of one stone
@@ -131,17 +133,21 @@ void fill_outside(Raster<T>& values, const OutsideMask& outside, const Crop& mid
         values(r, c) = values(mirrored(r, middle.y, middle.height), mirrored(c, middle.x, middle.width));
 }
 
-Inside inside_of(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
-  Inside inside{picture, {}};
+Inside inside_of(Picture picture, const ConvertOptions& o, ConvertReport& report) {
+  Inside inside{std::move(picture), {}};
   Picture& p = inside.picture;
   if (o.outside != Outside::none)
-    inside.outside = outside_of_photograph(picture, o.outside == Outside::void_);
-  else if (picture.opacity.empty())
-    inside.outside = without_value(picture);  // what is no number has no colour either
+    inside.outside = outside_of_photograph(p, o.outside == Outside::void_);
+  else if (p.opacity.empty())
+    inside.outside = without_value(p);  // what is no number has no colour either
   if (!inside.outside.empty()) {
-    const bool clear = !without_value(picture).empty();
+    const bool clear = !without_value(p).empty();
     const Crop middle = middle_of(inside.outside);
-    if (!p.gray.empty()) fill_outside(p.gray, inside.outside, middle);
+    if (!p.gray.empty())
+      p.gray = p.gray.with([&](auto gray) {
+        fill_outside(gray, inside.outside, middle);
+        return gray;
+      });
     if (!p.colour.empty()) fill_outside(p.colour, inside.outside, middle);
     const auto pixels =
         static_cast<double>(std::count(inside.outside.data.begin(), inside.outside.data.end(), 1));
@@ -159,7 +165,7 @@ Sorted segment_thresholds(const Picture& picture, const ConvertOptions& o, Conve
   Sorted sorted;
   sorted.photograph = true;
   const Raster<double> channel =
-      picture.colour.empty() ? calmed(picture.gray, o, sorted.factor, report)
+      picture.colour.empty() ? calmed(picture.gray.doubles(), o, sorted.factor, report)
                              : channel_of(calmed(picture.colour, o, sorted.factor, report), o.channel);
   report.thresholds = thresholds_of(channel, o, report.method);
   const Raster<std::uint8_t> classes = classes_between(channel, report.thresholds);
@@ -226,7 +232,7 @@ Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertR
 
 }  // namespace
 
-Sorted segment(const Picture& picture, const ConvertOptions& options, ConvertReport& report) {
+Sorted segment(Picture picture, const ConvertOptions& options, ConvertReport& report) {
   report.method = implied_method(options);
   const bool automatic = report.method == Segmentation::automatic;
   const bool wants_classes = options.classes != 0 || !options.class_phases.empty() || options.median > 1;
@@ -236,9 +242,8 @@ Sorted segment(const Picture& picture, const ConvertOptions& options, ConvertRep
     if (std::optional<Sorted> own = segment_own(picture, report)) return std::move(*own);
   if ((automatic && !wants_classes) || is_map_method(report.method)) map = map_of(picture, options, report);
   if (automatic && map && has_our_colours(*map)) {
-    Picture own = picture;
-    own.phases = standard_phases();
-    if (std::optional<Sorted> sorted = segment_own(own, report)) return std::move(*sorted);
+    picture.phases = standard_phases();
+    if (std::optional<Sorted> sorted = segment_own(picture, report)) return std::move(*sorted);
   }
   if (automatic) {
     report.method = guess_method(map);
@@ -246,12 +251,14 @@ Sorted segment(const Picture& picture, const ConvertOptions& options, ConvertRep
   }
   switch (report.method) {
     case Segmentation::labels:
-      return segment_labels(require_values(std::move(map), 256, "labels"), picture, options, report);
+      return segment_labels(require_values(std::move(map), 256, "labels"), std::move(picture), options,
+                            report);
     case Segmentation::instances:
-      return segment_instances(require_values(std::move(map), most_grains, "instances"), picture, options,
-                               report);
+      return segment_instances(require_values(std::move(map), most_grains, "instances"), std::move(picture),
+                               options, report);
     default: {
-      Inside inside = inside_of(picture, options, report);
+      map.reset();  // a large picture fills the memory
+      Inside inside = inside_of(std::move(picture), options, report);
       Sorted sorted = report.method == Segmentation::kmeans
                           ? segment_colours(inside.picture, options, report)
                           : segment_thresholds(inside.picture, options, report);

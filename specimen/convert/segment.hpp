@@ -25,6 +25,6 @@ struct Sorted {
 /// Segment the picture by the method of the options; the report receives the method, the thresholds and
 /// notes.
 /// @throws Error if the method does not fit the picture.
-[[nodiscard]] Sorted segment(const Picture& picture, const ConvertOptions& options, ConvertReport& report);
+[[nodiscard]] Sorted segment(Picture picture, const ConvertOptions& options, ConvertReport& report);
 
 }  // namespace specimen

@@ -68,16 +68,15 @@ std::vector<std::string> mapped_phases(const ValueMap& map, const ConvertOptions
 
 }  // namespace
 
-void fill_cells(Sorted& sorted, const Raster<std::int32_t>& code, const std::vector<std::string>& phases) {
+void fill_cells(Sorted& sorted, Raster<std::int32_t> code, const std::vector<std::string>& phases) {
   std::vector<Cell> cell_of;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const std::uint8_t label = label_of(sorted.phases, phases[i]);
     cell_of.push_back(label == phase::aggregate ? grain(static_cast<std::int32_t>(i)) : label);
   }
-  sorted.cells = Raster<Cell>(code.rows, code.cols);
-  std::transform(code.data.begin(), code.data.end(), sorted.cells.data.begin(), [&](std::int32_t i) {
-    return i < 0 ? Cell{phase::void_} : cell_of[static_cast<std::size_t>(i)];
-  });
+  sorted.cells = std::move(code);  // in its place: a large picture fills the memory
+  for (Cell& cell : sorted.cells.data)
+    cell = cell < 0 ? Cell{phase::void_} : cell_of[static_cast<std::size_t>(cell)];
 }
 
 namespace {
@@ -153,13 +152,14 @@ std::vector<std::string> phases_of_map(ValueMap& map, const Picture& picture, co
 
 }  // namespace
 
-Sorted segment_labels(ValueMap map, const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
+Sorted segment_labels(ValueMap map, Picture picture, const ConvertOptions& o, ConvertReport& report) {
   refuse_median(o, Segmentation::labels);
   const std::vector<std::string> phases = phases_of_map(map, picture, o, report);
+  picture = {};
   add_note(report, "read as a map of " + counted(map.count(), map.colours ? "colour" : "label"));
   note_values(map, phases, o.label_phases.empty() ? "guessed" : "as given", report);
   Sorted sorted;
-  fill_cells(sorted, map.code, phases);
+  fill_cells(sorted, std::move(map.code), phases);
   return sorted;
 }
 
@@ -175,12 +175,12 @@ std::string grains_text(const ValueMap& map, const GrainMap& grains) {
 
 }  // namespace
 
-Sorted segment_instances(ValueMap map, const Picture& picture, const ConvertOptions& o,
-                         ConvertReport& report) {
+Sorted segment_instances(ValueMap map, Picture picture, const ConvertOptions& o, ConvertReport& report) {
   refuse_median(o, Segmentation::instances);
   if (map.count() > 1)
     leave_outside_out(map, picture, o, report,
                       [&](std::int32_t code) { return understand_grains(map).matrix == code; });
+  picture = {};
   const GrainMap grains = understand_grains(map);
   dissolve_line(map, grains);
   std::vector<Cell> cell_of;
@@ -189,11 +189,9 @@ Sorted segment_instances(ValueMap map, const Picture& picture, const ConvertOpti
   for (const std::int32_t v : grains.voids) cell_of[static_cast<std::size_t>(v)] = phase::void_;
   Sorted sorted;
   sorted.keeps_grains = true;
-  sorted.cells = Raster<Cell>(map.code.rows, map.code.cols);
-  std::transform(map.code.data.begin(), map.code.data.end(), sorted.cells.data.begin(),
-                 [&](std::int32_t code) {
-                   return code < 0 ? Cell{phase::void_} : cell_of[static_cast<std::size_t>(code)];
-                 });
+  sorted.cells = std::move(map.code);
+  for (Cell& cell : sorted.cells.data)
+    cell = cell < 0 ? Cell{phase::void_} : cell_of[static_cast<std::size_t>(cell)];
   add_note(report, "read as a map of " +
                        counted(static_cast<std::int64_t>(grain_numbers(sorted.cells).size()), "grain") +
                        ", " + grains_text(map, grains));
@@ -220,7 +218,7 @@ std::optional<Sorted> segment_own(const Picture& picture, ConvertReport& report)
   note_values(*map, names, map->colours ? "by their colours" : "as the file says", report);
   Sorted sorted;
   sorted.phases = std::move(phases);
-  fill_cells(sorted, map->code, names);
+  fill_cells(sorted, std::move(map->code), names);
   for (Cell& cell : sorted.cells.data)
     if (is_aggregate(cell)) cell = phase::aggregate;
   return sorted;
@@ -304,9 +302,12 @@ std::optional<ValueMap> map_of(const Picture& picture, const ConvertOptions& o, 
     if (has_order) note_settled(dissolve_fringes(*map), *map, report);
     return map;
   }
+  const bool is_map = map.has_value();
+  map.reset();  // found again if it is needed: a large picture fills the memory
   std::optional<TonedMap> toned = sort_into_tones(picture);
   if (!toned && picture.lossy) return std::nullopt;  // exact values mean nothing in a JPEG
-  if (!toned || (map && !picture.lossy && toned->settled == 0)) return map;
+  if (!toned || (is_map && !picture.lossy && toned->settled == 0))
+    return is_map ? values_of(picture, most_grains, o) : std::nullopt;
   note_settled(toned->settled, toned->map, report);
   name_by_palette(toned->map, picture);
   return std::move(toned->map);

@@ -31,13 +31,13 @@ namespace specimen {
 [[nodiscard]] std::optional<Sorted> segment_own(const Picture& picture, ConvertReport& report);
 
 /// Phases as the options say, or as they are read.   @throws TwoReadings; Error for options that do not fit.
-[[nodiscard]] Sorted segment_labels(ValueMap map, const Picture& picture, const ConvertOptions& o,
+[[nodiscard]] Sorted segment_labels(ValueMap map, Picture picture, const ConvertOptions& o,
                                     ConvertReport& report);
-[[nodiscard]] Sorted segment_instances(ValueMap map, const Picture& picture, const ConvertOptions& o,
+[[nodiscard]] Sorted segment_instances(ValueMap map, Picture picture, const ConvertOptions& o,
                                        ConvertReport& report);
 
 /// Put each pixel in its phase; aggregates of different values stay apart even where they touch.
-void fill_cells(Sorted& sorted, const Raster<std::int32_t>& code, const std::vector<std::string>& phases);
+void fill_cells(Sorted& sorted, Raster<std::int32_t> code, const std::vector<std::string>& phases);
 
 /// Say how much of a picture is taken for its outside.
 void note_outside(double pixels, double all, const std::string& what, ConvertReport& report);

@@ -15,6 +15,10 @@ namespace specimen {
 namespace {
 
 constexpr std::int32_t unsettled = -1;
+/// Number of a tone of a pixel, in two bytes: rasters of them stand beside large pictures.
+using ToneNumber = std::uint16_t;
+constexpr ToneNumber no_tone = 0xffff;
+ToneNumber number_of_tone(std::int32_t tone) { return tone < 0 ? no_tone : static_cast<ToneNumber>(tone); }
 constexpr int few_tones = 12;  ///< up to which a tone is more than one exact value
 
 std::uint32_t packed(Rgb c) { return static_cast<std::uint32_t>(c.r << 16 | c.g << 8 | c.b); }
@@ -36,7 +40,7 @@ class Sorter {
   Sorter(const Raster<Rgb>& picture, bool lossy) : picture_(picture), lossy_(lossy) {}
 
   /// Code of each pixel, or nothing.
-  std::optional<Raster<std::int32_t>> sort() {
+  std::optional<Raster<ToneNumber>> sort() {
     constexpr double least_core = 0.6;
     constexpr int most_rounds = 3;
     const auto pixels = static_cast<double>(picture_.size());
@@ -50,7 +54,7 @@ class Sorter {
       if (!add_missed_tone()) break;
     }
     if (explains_too_little()) return std::nullopt;
-    return std::move(code_);
+    return std::move(own_);
   }
 
   [[nodiscard]] const std::vector<Tone>& tones() const { return tones_; }
@@ -101,7 +105,7 @@ class Sorter {
   }
 
   bool find_tones() {
-    constexpr std::size_t most = 65'535;
+    constexpr std::size_t most = no_tone - 1;
     std::vector<Tone> found;
     for (const auto& [colour, count] : count_flat()) found.push_back({unpacked(colour), count});
     std::sort(found.begin(), found.end(), [](const Tone& x, const Tone& y) {
@@ -167,19 +171,19 @@ class Sorter {
     last_ = nullptr;
     far_.clear();
     cores_ = settled_ = unexplained_ = 0;
-    own_ = Raster<std::int32_t>(picture_.rows, picture_.cols);
+    own_ = Raster<ToneNumber>(picture_.rows, picture_.cols);
     if (reach_ == 0) {
       for (std::size_t t = 0; t < tones_.size(); ++t)
         known_[packed(tones_[t].colour)] = static_cast<std::int32_t>(t);
     }
     for (std::size_t i = 0; i < own_.size(); ++i)
-      own_.data[i] = reach_ == 0 ? exact(picture_.data[i]) : tone_of(picture_.data[i]);
-    code_ = Raster<std::int32_t>(picture_.rows, picture_.cols, unsettled);
+      own_.data[i] = number_of_tone(reach_ == 0 ? exact(picture_.data[i]) : tone_of(picture_.data[i]));
+    code_ = Raster<ToneNumber>(picture_.rows, picture_.cols, no_tone);
     const int least = lossy_ ? 4 : 3;
     for (int r = 0; r < own_.rows; ++r)
       for (int c = 0; c < own_.cols; ++c) {
-        const std::int32_t mine = own_(r, c);
-        if (mine < 0) continue;
+        const ToneNumber mine = own_(r, c);
+        if (mine == no_tone) continue;
         int alike = 0;
         for (int dr = -1; dr <= 1 && alike < least; ++dr)
           for (int dc = -1; dc <= 1 && alike < least; ++dc)
@@ -223,8 +227,8 @@ class Sorter {
     for (int dr = -radius; dr <= radius; ++dr)
       for (int dc = -radius; dc <= radius; ++dc) {
         if (std::max(std::abs(dr), std::abs(dc)) != radius || !code_.contains(r + dr, c + dc)) continue;
-        const std::int32_t t = code_(r + dr, c + dc);
-        if (t >= 0 && std::find(met.begin(), met.end(), t) == met.end()) met.push_back(t);
+        const ToneNumber t = code_(r + dr, c + dc);
+        if (t != no_tone && std::find(met.begin(), met.end(), t) == met.end()) met.push_back(t);
       }
   }
 
@@ -245,8 +249,7 @@ class Sorter {
           }
       if (best >= 0) return best;
     }
-    const std::int32_t own = own_(r, c);
-    if (own >= 0) return own;
+    if (const ToneNumber own = own_(r, c); own != no_tone) return own;
     if (static_cast<int>(tones_.size()) <= few_tones) {
       const std::int32_t tone = nearest(colour);
       if (apart(tones_[static_cast<std::size_t>(tone)].colour, colour) > far_off_ && !between_any(colour)) {
@@ -263,17 +266,17 @@ class Sorter {
     return met.empty() ? nearest(colour) : *std::min_element(met.begin(), met.end(), closer);
   }
 
+  /// The cores stay; what is found for the others comes into own_, which nobody else looks at.
   void settle() {
-    Raster<std::int32_t> all = code_;
     for (int r = 0; r < code_.rows; ++r)
       for (int c = 0; c < code_.cols; ++c) {
-        if (code_(r, c) >= 0) continue;
-        all(r, c) = settle_pixel(r, c);
-        settled_ += all(r, c) != own_(r, c);
+        if (code_(r, c) != no_tone) continue;
+        const ToneNumber found = number_of_tone(settle_pixel(r, c));
+        settled_ += found != own_(r, c);
+        own_(r, c) = found;
         // No tone will be added; every further pixel would be held against all tones for nothing.
         if (static_cast<int>(tones_.size()) > few_tones && explains_too_little()) return;
       }
-    code_ = std::move(all);
   }
 
   const Raster<Rgb>& picture_;
@@ -283,7 +286,7 @@ class Sorter {
   std::unordered_map<std::uint32_t, std::int32_t> known_;
   Rgb last_colour_{};
   const std::int32_t* last_ = nullptr;
-  Raster<std::int32_t> own_, code_;
+  Raster<ToneNumber> own_, code_;
   std::vector<std::int32_t> met_;
   std::vector<Rgb> far_;  ///< colours that no two tones explain
   std::int64_t cores_ = 0, settled_ = 0, unexplained_ = 0;
@@ -291,7 +294,7 @@ class Sorter {
 };
 
 /// The value that the user knows a tone by: the commonest value of the picture among its pixels.
-std::vector<std::int64_t> names_of(const Picture& picture, const Raster<std::int32_t>& code,
+std::vector<std::int64_t> names_of(const Picture& picture, const Raster<ToneNumber>& code,
                                    const std::vector<Tone>& tones) {
   std::vector<std::int64_t> names;
   const bool coloured = is_coloured(picture);
@@ -300,9 +303,8 @@ std::vector<std::int64_t> names_of(const Picture& picture, const Raster<std::int
   const std::vector<std::int64_t> levels = names;
   std::vector<std::unordered_map<std::int64_t, std::int64_t>> votes(tones.size());
   for (std::size_t i = 0; i < code.size(); ++i) {
-    if (!std::isfinite(gray_at(picture, i))) continue;
-    ++votes[static_cast<std::size_t>(code.data[i])]
-           [static_cast<std::int64_t>(std::lround(gray_at(picture, i)))];
+    const double gray = gray_at(picture, i);
+    if (std::isfinite(gray)) ++votes[code.data[i]][static_cast<std::int64_t>(std::lround(gray))];
   }
   for (std::size_t t = 0; t < tones.size(); ++t) {
     std::int64_t most = 0;
@@ -316,7 +318,7 @@ std::vector<std::int64_t> names_of(const Picture& picture, const Raster<std::int
 }
 
 /// With the values in rising order; tones that go by the same value become one.
-ValueMap in_order(Raster<std::int32_t> code, const std::vector<std::int64_t>& names, bool colours) {
+ValueMap in_order(const Raster<ToneNumber>& code, const std::vector<std::int64_t>& names, bool colours) {
   ValueMap map;
   map.colours = colours;
   map.values = names;
@@ -326,8 +328,9 @@ ValueMap in_order(Raster<std::int32_t> code, const std::vector<std::int64_t>& na
   for (const std::int64_t name : names)
     place.push_back(static_cast<std::int32_t>(std::lower_bound(map.values.begin(), map.values.end(), name) -
                                               map.values.begin()));
-  for (std::int32_t& c : code.data) c = place[static_cast<std::size_t>(c)];
-  map.code = std::move(code);
+  map.code = Raster<std::int32_t>(code.rows, code.cols);
+  std::transform(code.data.begin(), code.data.end(), map.code.data.begin(),
+                 [&](ToneNumber tone) { return place[tone]; });
   map.black = blackest(map);
   return map;
 }
@@ -335,12 +338,12 @@ ValueMap in_order(Raster<std::int32_t> code, const std::vector<std::int64_t>& na
 }  // namespace
 
 std::optional<TonedMap> sort_into_tones(const Picture& picture) {
-  const Raster<Rgb> colours = shown_colours(picture);
-  Sorter sorter(colours, picture.lossy);
-  std::optional<Raster<std::int32_t>> code = sorter.sort();
+  const Raster<Rgb> grey = picture.gray.empty() ? Raster<Rgb>() : shown_colours(picture);
+  Sorter sorter(picture.gray.empty() ? picture.colour : grey, picture.lossy);
+  const std::optional<Raster<ToneNumber>> code = sorter.sort();
   if (!code) return std::nullopt;
   const std::vector<std::int64_t> names = names_of(picture, *code, sorter.tones());
-  return TonedMap{in_order(std::move(*code), names, is_coloured(picture)), sorter.settled()};
+  return TonedMap{in_order(*code, names, is_coloured(picture)), sorter.settled()};
 }
 
 }  // namespace specimen

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <span>
+#include <utility>
 
 #include "specimen/body/files.hpp"
 #include "specimen/picture/picture_codecs.hpp"
@@ -41,8 +42,9 @@ Bytes encode_labels(const std::string& path, const LabelledMask& mask) {
 
 }  // namespace
 
-Picture read_picture(const std::string& path, std::int64_t max_pixels) {
-  const PictureSource source = open_picture(path, max_pixels);
+Picture read_picture(const std::string& path, std::int64_t max_pixels, SizeListener before_pixels) {
+  PictureSource source = open_picture(path, max_pixels);
+  source.before_pixels = std::move(before_pixels);
   switch (sniff(source)) {
     case PictureFormat::png:
       return read_png(source);
@@ -133,7 +135,11 @@ Rgb phase_colour(std::uint8_t label) {
 
 Raster<Rgb> preview(const LabelledMask& mask) {
   Raster<Rgb> picture(mask.labels.rows, mask.labels.cols);
-  std::transform(mask.labels.data.begin(), mask.labels.data.end(), picture.data.begin(), phase_colour);
+  std::array<Rgb, 256> colours;
+  for (std::size_t label = 0; label < colours.size(); ++label)
+    colours[label] = phase_colour(static_cast<std::uint8_t>(label));
+  std::transform(mask.labels.data.begin(), mask.labels.data.end(), picture.data.begin(),
+                 [&](std::uint8_t label) { return colours[label]; });
   return picture;
 }
 

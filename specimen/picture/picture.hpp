@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "specimen/body/mask.hpp"
 #include "specimen/body/raster.hpp"
+#include "specimen/picture/grey_levels.hpp"
 
 namespace specimen {
 
@@ -27,8 +30,8 @@ enum class Origin {
 /// A picture as read from a file: one channel of grey values or labels, or colour.
 /// Grey values are as stored. A picture with a palette has both its colours and the indices into the palette.
 struct Picture {
-  Raster<double> gray;  ///< values as stored (1 to 64 bit integer, float, perhaps NaN); empty for colour
-  Raster<Rgb> colour;   ///< empty for grey; where it is transparent, as stored
+  GreyLevels gray;     ///< values as stored (1 to 64 bit integer, float, perhaps NaN); empty for colour
+  Raster<Rgb> colour;  ///< empty for grey; where it is transparent, as stored
   Raster<std::uint8_t> indices;  ///< into the palette; empty if there is none
   Raster<std::uint8_t> opacity;  ///< 0 = transparent, 255 = opaque; empty if all is opaque
   int bits = 8;                  ///< bits per channel, as stored
@@ -37,15 +40,21 @@ struct Picture {
   bool lossy = false;            ///< JPEG: values are not those that were saved
   Origin origin = Origin::unknown;
   std::vector<std::string> phases{};  ///< of the labels, where the origin is known
-  std::vector<std::string> notes{};   ///< what was left out of the file, one sentence each
+  /// What the values that a palette shows are called: their indices, where no two of these show the same.
+  std::map<std::int64_t, std::int64_t> names{};
+  std::vector<std::string> notes{};  ///< what was left out of the file, one sentence each
   [[nodiscard]] int rows() const { return gray.empty() ? colour.rows : gray.rows; }
   [[nodiscard]] int cols() const { return gray.empty() ? colour.cols : gray.cols; }
 };
 
+/// Told the rows and columns of a picture before its pixels are decoded, which may take long.
+using SizeListener = std::function<void(std::int64_t rows, std::int64_t cols)>;
+
 /// Read a picture. Its first bytes decide the format, not its name. The size in the header is checked before
 /// anything is decoded.
 /// @param max_pixels  larger pictures are refused.   @throws Error naming the file and the fault.
-[[nodiscard]] Picture read_picture(const std::string& path, std::int64_t max_pixels = 200'000'000);
+[[nodiscard]] Picture read_picture(const std::string& path, std::int64_t max_pixels = 200'000'000,
+                                   SizeListener before_pixels = {});
 
 /// Write RGB as PNG, to a temporary name that is then renamed.
 /// @param pixel_size  [m], written as pHYs tag; 0 = no tag.   @param origin  drawing: the file says that it

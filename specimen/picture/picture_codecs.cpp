@@ -101,23 +101,6 @@ std::uint8_t DeepToByte::operator()(std::uint16_t channel) const {
   return static_cast<std::uint8_t>((channel + 128) / 257);
 }
 
-void set_deep_colours(Picture& picture, const Raster<DeepRgb>& deep) {
-  const auto is_gray = [](DeepRgb c) { return c.r == c.g && c.g == c.b; };
-  if (std::all_of(deep.data.begin(), deep.data.end(), is_gray)) {
-    picture.gray = Raster<double>(deep.rows, deep.cols);
-    std::transform(deep.data.begin(), deep.data.end(), picture.gray.data.begin(),
-                   [](DeepRgb c) { return c.r; });
-    return;
-  }
-  DeepToByte byte;
-  for (const DeepRgb& c : deep.data)
-    for (const std::uint16_t channel : {c.r, c.g, c.b}) byte.look_at(channel);
-  picture.colour = Raster<Rgb>(deep.rows, deep.cols);
-  std::transform(deep.data.begin(), deep.data.end(), picture.colour.data.begin(), [&](DeepRgb c) {
-    return Rgb{byte(c.r), byte(c.g), byte(c.b)};
-  });
-}
-
 namespace {
 
 void check_indices(const PictureSource& source, const Raster<std::uint8_t>& indices, std::size_t entries) {
@@ -141,9 +124,10 @@ void set_palette_pixels(Picture& picture, const PictureSource& source, Raster<st
                         const std::vector<Rgb>& palette, const std::vector<std::uint8_t>& opacity) {
   check_indices(source, indices, palette.size());
   if (all_gray(palette)) {
-    picture.gray = Raster<double>(indices.rows, indices.cols);
-    std::transform(indices.data.begin(), indices.data.end(), picture.gray.data.begin(),
+    Raster<std::uint8_t> gray(indices.rows, indices.cols);
+    std::transform(indices.data.begin(), indices.data.end(), gray.data.begin(),
                    [&](std::uint8_t index) { return palette[index].r; });
+    picture.gray = std::move(gray);
   } else {
     picture.colour = Raster<Rgb>(indices.rows, indices.cols);
     std::transform(indices.data.begin(), indices.data.end(), picture.colour.data.begin(),

@@ -51,7 +51,28 @@ class DeepToByte {
 
 /// Fill a picture from colours of 16 bits: grey of 16 bits where red, green and blue are alike everywhere, as
 /// small numbers of labels would be lost in bytes.
-void set_deep_colours(Picture& picture, const Raster<DeepRgb>& deep);
+/// @param colour_at  DeepRgb of a pixel, by its number row by row.
+template <class ColourAt>
+void set_deep_colours(Picture& picture, int rows, int cols, const ColourAt& colour_at) {
+  const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
+  bool is_gray = true;
+  DeepToByte byte;
+  for (std::size_t i = 0; i < count; ++i) {
+    const DeepRgb c = colour_at(i);
+    is_gray = is_gray && c.r == c.g && c.g == c.b;
+    for (const std::uint16_t channel : {c.r, c.g, c.b}) byte.look_at(channel);
+  }
+  const auto fill = [&](auto raster, const auto& value_of) {
+    for (std::size_t i = 0; i < count; ++i) raster.data[i] = value_of(colour_at(i));
+    return raster;
+  };
+  if (is_gray)
+    picture.gray = fill(Raster<std::uint16_t>(rows, cols), [](DeepRgb c) { return c.r; });
+  else
+    picture.colour = fill(Raster<Rgb>(rows, cols), [&](DeepRgb c) {
+      return Rgb{byte(c.r), byte(c.g), byte(c.b)};
+    });
+}
 
 /// Fill a picture from indices and a palette: with the indices, and with the colours, or grey values if the
 /// palette has only greys; with the opacity of the indices, where some are given.

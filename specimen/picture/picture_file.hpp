@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct PictureSource {
   std::int64_t max_pixels = 0;  ///< larger pictures are refused
   std::int64_t bytes = 0;       ///< length of the file
   std::unique_ptr<std::FILE, CloseFile> file;
+  /// Told the size once it has passed its check; only once.
+  mutable std::function<void(std::int64_t rows, std::int64_t cols)> before_pixels{};
 };
 
 /// The error for a file with invalid content: "path: problem; cure".

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace specimen {
 namespace {
@@ -55,6 +56,7 @@ void check_size(const PictureSource& source, std::int64_t rows, std::int64_t col
   if (source.bytes < least_bytes)
     throw bad_picture(source.path,
                       "is truncated: " + std::to_string(source.bytes) + " bytes cannot hold " + size);
+  if (const auto tell = std::exchange(source.before_pixels, nullptr)) tell(rows, cols);
 }
 
 PixelShape pixel_shape_of(double per_metre_x, double per_metre_y) {
@@ -68,7 +70,7 @@ PixelShape pixel_shape_of(double per_metre_x, double per_metre_y) {
 
 Picture upright(Picture picture, int orientation) {
   if (orientation <= 1 || orientation > 8) return picture;
-  picture.gray = upright(picture.gray, orientation);
+  picture.gray = picture.gray.with([&](const auto& raster) { return upright(raster, orientation); });
   picture.colour = upright(picture.colour, orientation);
   picture.indices = upright(picture.indices, orientation);
   picture.opacity = upright(picture.opacity, orientation);

@@ -18,6 +18,7 @@ enum class PictureFormat { unknown, png, jpeg, tiff, bmp, pnm, hdf5 };  // the l
 /// Check the size that a header claims.
 /// @param least_bytes  smallest possible size of the file; a shorter file is truncated, and is refused before
 /// memory is allocated.
+/// Tells the size to the listener of the source.
 /// @throws Error for an empty or too large picture, or one whose pixels cannot be in the file.
 void check_size(const PictureSource& source, std::int64_t rows, std::int64_t cols, std::int64_t least_bytes);
 

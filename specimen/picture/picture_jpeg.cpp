@@ -128,12 +128,13 @@ PixelShape jfif_shape(const jpeg_decompress_struct& jpeg) {
   return shape;
 }
 
-void store_row(Picture& picture, int row, const Bytes& samples, const jpeg_decompress_struct& jpeg) {
-  for (int c = 0; c < picture.cols(); ++c) {
+void store_row(Picture& picture, Raster<std::uint8_t>& gray, int row, const Bytes& samples,
+               const jpeg_decompress_struct& jpeg) {
+  for (int c = 0; c < static_cast<int>(jpeg.output_width); ++c) {
     const std::uint8_t* p =
         &samples[static_cast<std::size_t>(c) * static_cast<std::size_t>(jpeg.output_components)];
     if (jpeg.out_color_space == JCS_GRAYSCALE)
-      picture.gray(row, c) = *p;
+      gray(row, c) = *p;
     else if (jpeg.out_color_space == JCS_CMYK)
       picture.colour(row, c) = from_cmyk(p, jpeg.saw_Adobe_marker != 0);
     else
@@ -161,16 +162,18 @@ Picture read_jpeg(const PictureSource& source) {
   if (picture.pixel_size == 0 && tags.shape.width > 0) set_shape(picture, tags.shape);
   const int rows = static_cast<int>(reader.jpeg.output_height),
             cols = static_cast<int>(reader.jpeg.output_width);
+  Raster<std::uint8_t> gray;
   if (reader.jpeg.out_color_space == JCS_GRAYSCALE)
-    picture.gray = Raster<double>(rows, cols);
+    gray = Raster<std::uint8_t>(rows, cols);
   else
     picture.colour = Raster<Rgb>(rows, cols);
   Bytes samples(static_cast<std::size_t>(cols) * static_cast<std::size_t>(reader.jpeg.output_components));
   for (int row = 0; row < rows; ++row) {
     if (!read_row(reader, samples.data())) throw damaged();
-    store_row(picture, row, samples, reader.jpeg);
+    store_row(picture, gray, row, samples, reader.jpeg);
   }
   if (!finish(reader)) throw damaged();
+  picture.gray = std::move(gray);
   return upright(std::move(picture), tags.orientation);
 }
 

@@ -122,29 +122,30 @@ std::uint16_t two_bytes_at(const std::uint8_t* p) { return static_cast<std::uint
 /// Rows of grey values, with an opacity after each where there are two channels.
 void set_gray(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels,
               bool two_bytes) {
-  picture.gray = Raster<double>(rows, cols);
   const std::size_t width = two_bytes ? 2 : 1;
-  for (std::size_t i = 0; i < picture.gray.size(); ++i) {
-    const std::uint8_t* p = &bytes[i * channels * width];
-    picture.gray.data[i] = two_bytes ? two_bytes_at(p) : p[0];
-  }
+  const auto fill = [&](auto raster, const auto& value_at) {
+    for (std::size_t i = 0; i < raster.size(); ++i) raster.data[i] = value_at(&bytes[i * channels * width]);
+    return raster;
+  };
+  if (two_bytes)
+    picture.gray = fill(Raster<std::uint16_t>(rows, cols), two_bytes_at);
+  else
+    picture.gray = fill(Raster<std::uint8_t>(rows, cols), [](const std::uint8_t* p) { return *p; });
   if (channels < 2) return;
-  picture.opacity = Raster<std::uint8_t>(rows, cols);
-  for (std::size_t i = 0; i < picture.opacity.size(); ++i)
-    picture.opacity.data[i] = bytes[(i * channels + 1) * width];
+  picture.opacity = fill(Raster<std::uint8_t>(rows, cols), [&](const std::uint8_t* p) { return p[width]; });
   drop_if_opaque(picture);
 }
 
 void set_deep_colours(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels) {
-  Raster<DeepRgb> deep(rows, cols);
-  if (channels == 4) picture.opacity = Raster<std::uint8_t>(rows, cols);
-  for (std::size_t i = 0; i < deep.size(); ++i) {
+  set_deep_colours(picture, rows, cols, [&](std::size_t i) {
     const std::uint8_t* p = &bytes[i * channels * 2];
-    deep.data[i] = {two_bytes_at(p), two_bytes_at(p + 2), two_bytes_at(p + 4)};
-    if (channels == 4) picture.opacity.data[i] = p[6];
-  }
+    return DeepRgb{two_bytes_at(p), two_bytes_at(p + 2), two_bytes_at(p + 4)};
+  });
+  if (channels < 4) return;
+  picture.opacity = Raster<std::uint8_t>(rows, cols);
+  for (std::size_t i = 0; i < picture.opacity.size(); ++i)
+    picture.opacity.data[i] = bytes[i * channels * 2 + 6];
   drop_if_opaque(picture);
-  set_deep_colours(picture, deep);
 }
 
 void set_colours(Picture& picture, const Bytes& bytes, int rows, int cols, std::size_t channels) {

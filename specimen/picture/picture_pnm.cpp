@@ -113,8 +113,15 @@ void set_pixels(Picture& picture, const PnmHeader& header, const Values& values)
     return true;
   };
   if (is_gray()) {
-    picture.gray = Raster<double>(header.rows, header.cols);
-    for (std::size_t i = 0; i < picture.gray.size(); ++i) picture.gray.data[i] = values.data[i * step];
+    const auto fill = [&](auto gray) {
+      using T = typename decltype(gray.data)::value_type;
+      for (std::size_t i = 0; i < gray.size(); ++i) gray.data[i] = static_cast<T>(values.data[i * step]);
+      return gray;
+    };
+    if (header.max > 255)
+      picture.gray = fill(Raster<std::uint16_t>(header.rows, header.cols));
+    else
+      picture.gray = fill(Raster<std::uint8_t>(header.rows, header.cols));
     return;
   }
   DeepToByte deep;

@@ -206,15 +206,55 @@ class TiffReader {
                   "must not be larger than the picture", "save it without tiles");
   }
 
-  /// Values of one sample of each pixel.
-  Raster<double> channel(const TiffTags& tags, int sample = 0) {
-    const Unpack unpack_row = choose_unpack(tags, source_);
-    Raster<double> values(tags.rows, tags.cols);
-    if (TIFFIsTiled(tiff_.get()) != 0)
-      read_tiles(tags, unpack_row, sample, values);
+  /// Values of one sample of each pixel, as they are stored where that is as small as can be.
+  GreyLevels channel(const TiffTags& tags, int sample = 0) {
+    const bool counts = tags.format == SAMPLEFORMAT_UINT || tags.format == SAMPLEFORMAT_VOID;
+    GreyLevels levels;
+    if (counts && tags.bits <= 8)
+      levels = channel_as<std::uint8_t>(tags, sample);
+    else if (counts && tags.bits == 16)
+      levels = channel_as<std::uint16_t>(tags, sample);
+    else if (tags.bits <= 16 || (tags.format == SAMPLEFORMAT_IEEEFP && tags.bits == 32))
+      levels = channel_as<float>(tags, sample);
     else
-      read_rows(tags, unpack_row, sample, values);
+      levels = wide_channel(tags, sample);
+    return levels;
+  }
+
+  template <class T>
+  Raster<T> channel_as(const TiffTags& tags, int sample) {
+    Raster<T> values(tags.rows, tags.cols);
+    read_channel(tags, sample, [&](int row, int col, const std::vector<double>& part, int count) {
+      std::transform(part.begin(), part.begin() + count, &values(row, col),
+                     [](double value) { return static_cast<T>(value); });
+    });
     return values;
+  }
+
+  /// In float where all numbers are exact in it, as those of labels are; else in double.
+  GreyLevels wide_channel(const TiffTags& tags, int sample) {
+    bool exact = true;
+    Raster<float> narrow(tags.rows, tags.cols);
+    read_channel(tags, sample, [&](int row, int col, const std::vector<double>& values, int count) {
+      std::transform(values.begin(), values.begin() + count, &narrow(row, col), [&](double v) {
+        const auto value = static_cast<float>(v);
+        exact = exact && (static_cast<double>(value) == v || std::isnan(v));
+        return value;
+      });
+    });
+    if (exact) return narrow;
+    narrow = {};
+    return channel_as<double>(tags, sample);
+  }
+
+  /// @param store  takes row, column, values and their number, for each row of a strip or tile.
+  template <class Store>
+  void read_channel(const TiffTags& tags, int sample, const Store& store) {
+    const Unpack unpack_row = choose_unpack(tags, source_);
+    if (TIFFIsTiled(tiff_.get()) != 0)
+      read_tiles(tags, unpack_row, sample, store);
+    else
+      read_rows(tags, unpack_row, sample, store);
   }
 
   /// Bytes before the first value of a sample in rows of all samples; samples of less than a byte are alone.
@@ -226,31 +266,37 @@ class TiffReader {
     return tags.planes == PLANARCONFIG_CONTIG ? std::uint16_t{0} : static_cast<std::uint16_t>(sample);
   }
 
-  void read_rows(const TiffTags& tags, Unpack unpack_row, int sample, Raster<double>& values) {
+  template <class Store>
+  void read_rows(const TiffTags& tags, Unpack unpack_row, int sample, const Store& store) {
+    std::vector<double> values(static_cast<std::size_t>(tags.cols));
     Bytes row(buffer_size(TIFFScanlineSize(tiff_.get())));
     for (int r = 0; r < tags.rows; ++r) {
       if (TIFFReadScanline(tiff_.get(), row.data(), static_cast<std::uint32_t>(r), plane_of(tags, sample)) <
           0)
         throw damaged();
-      unpack_row(row.data() + start_of(tags, sample), tags.step(), tags.cols, &values(r, 0));
+      unpack_row(row.data() + start_of(tags, sample), tags.step(), tags.cols, values.data());
+      store(r, 0, values, tags.cols);
     }
   }
 
-  void read_tiles(const TiffTags& tags, Unpack unpack_row, int sample, Raster<double>& values) {
+  template <class Store>
+  void read_tiles(const TiffTags& tags, Unpack unpack_row, int sample, const Store& store) {
     std::uint32_t tile_rows = 0, tile_cols = 0;
     TIFFGetField(tiff_.get(), TIFFTAG_TILELENGTH, &tile_rows);
     TIFFGetField(tiff_.get(), TIFFTAG_TILEWIDTH, &tile_cols);
     if (tile_rows == 0 || tile_cols == 0) throw damaged();
     Bytes tile(buffer_size(TIFFTileSize(tiff_.get())));
+    std::vector<double> values(std::min(tile_cols, static_cast<std::uint32_t>(tags.cols)));
     const std::size_t stride = buffer_size(TIFFTileRowSize(tiff_.get()));
     const auto rows = static_cast<std::uint32_t>(tags.rows), cols = static_cast<std::uint32_t>(tags.cols);
     for (std::uint32_t top = 0; top < rows; top += std::min(tile_rows, rows - top))
       for (std::uint32_t left = 0; left < cols; left += std::min(tile_cols, cols - left)) {
         if (TIFFReadTile(tiff_.get(), tile.data(), left, top, 0, plane_of(tags, sample)) < 0) throw damaged();
-        for (std::uint32_t r = 0; r < std::min(tile_rows, rows - top); ++r)
-          unpack_row(tile.data() + r * stride + start_of(tags, sample), tags.step(),
-                     static_cast<int>(std::min(tile_cols, cols - left)),
-                     &values(static_cast<int>(top + r), static_cast<int>(left)));
+        const auto count = static_cast<int>(std::min(tile_cols, cols - left));
+        for (std::uint32_t r = 0; r < std::min(tile_rows, rows - top); ++r) {
+          unpack_row(tile.data() + r * stride + start_of(tags, sample), tags.step(), count, values.data());
+          store(static_cast<int>(top + r), static_cast<int>(left), values, count);
+        }
       }
   }
 
@@ -263,35 +309,43 @@ class TiffReader {
   void read_gray(const TiffTags& tags, Picture& picture) {
     picture.gray = channel(tags);
     const bool counts = tags.format == SAMPLEFORMAT_UINT || tags.format == SAMPLEFORMAT_VOID;
-    if (tags.photometric == PHOTOMETRIC_MINISWHITE && counts) {
-      const double white = std::ldexp(1.0, tags.bits) - 1;
-      for (double& value : picture.gray.data) value = white - value;
-    }
+    if (tags.photometric == PHOTOMETRIC_MINISWHITE && counts)
+      picture.gray = turned_over(picture.gray, std::ldexp(1.0, tags.bits) - 1);
     check_values(tags, picture.gray);
     if (tags.samples == 2) read_opacity(tags, 1, picture);
   }
 
+  /// Values counted from white, as counted from black.
+  static GreyLevels turned_over(const GreyLevels& levels, double white) {
+    return levels.with([&](auto raster) {
+      using T = typename decltype(raster.data)::value_type;
+      for (T& value : raster.data) value = static_cast<T>(white - static_cast<double>(value));
+      return raster;
+    });
+  }
+
   void read_opacity(const TiffTags& tags, int sample, Picture& picture) {
-    const Raster<double> values = channel(tags, sample);
     const double full = tags.format == SAMPLEFORMAT_UINT ? std::ldexp(1.0, tags.bits) - 1 : 1;
     picture.opacity = Raster<std::uint8_t>(tags.rows, tags.cols);
-    std::transform(values.data.begin(), values.data.end(), picture.opacity.data.begin(), [&](double v) {
-      return static_cast<std::uint8_t>(std::lround(std::clamp(v / full, 0.0, 1.0) * 255));
+    read_channel(tags, sample, [&](int row, int col, const std::vector<double>& values, int count) {
+      std::transform(values.begin(), values.begin() + count, &picture.opacity(row, col), [&](double v) {
+        return static_cast<std::uint8_t>(std::lround(std::clamp(v / full, 0.0, 1.0) * 255));
+      });
     });
     drop_if_opaque(picture);
   }
 
-  template <class Colour, class Take>
-  void read_channels(const TiffTags& tags, Take take) {
+  template <class Colour>
+  Raster<Colour> read_channels(const TiffTags& tags) {
     Raster<Colour> colour(tags.rows, tags.cols);
     using Channel = decltype(Colour::r);
     Channel Colour::*const members[] = {&Colour::r, &Colour::g, &Colour::b};
-    for (int k = 0; k < 3; ++k) {
-      const Raster<double> values = channel(tags, k);
-      for (std::size_t i = 0; i < values.size(); ++i)
-        colour.data[i].*members[k] = static_cast<Channel>(values.data[i]);
-    }
-    take(std::move(colour));
+    for (int k = 0; k < 3; ++k)
+      read_channel(tags, k, [&](int row, int col, const std::vector<double>& values, int count) {
+        for (int i = 0; i < count; ++i)
+          colour(row, col + i).*members[k] = static_cast<Channel>(values[static_cast<std::size_t>(i)]);
+      });
+    return colour;
   }
 
   /// Red, green and blue; further samples are opacity where the file says so, else of no use here.
@@ -299,9 +353,12 @@ class TiffReader {
     if (tags.samples < 3)
       throw bad_picture(source_.path,
                         "is a TIFF of colours with " + std::to_string(tags.samples) + " channels");
-    tags.bits == 16
-        ? read_channels<DeepRgb>(tags, [&](const Raster<DeepRgb>& deep) { set_deep_colours(picture, deep); })
-        : read_channels<Rgb>(tags, [&](Raster<Rgb> colour) { picture.colour = std::move(colour); });
+    if (tags.bits == 16) {
+      const Raster<DeepRgb> deep = read_channels<DeepRgb>(tags);
+      set_deep_colours(picture, tags.rows, tags.cols, [&](std::size_t i) { return deep.data[i]; });
+    } else {
+      picture.colour = read_channels<Rgb>(tags);
+    }
     const int beside = tags.samples - 3;
     const bool has_opacity = beside > 0 && !tags.extra.empty() && is_alpha(tags.extra[0]);
     if (has_opacity) read_opacity(tags, 3, picture);
@@ -318,8 +375,8 @@ class TiffReader {
     for (std::size_t i = 0; i < picture.opacity.size(); ++i) {
       const int a = picture.opacity.data[i];
       if (!picture.gray.empty()) {
-        double& v = picture.gray.data[i];
-        v = a == 0 ? 0 : std::min(65535.0, std::round(v * 255 / a));
+        const double v = picture.gray.data[i];
+        picture.gray.data[i] = a == 0 ? 0 : std::min(65535.0, std::round(v * 255 / a));
         continue;
       }
       const auto full = [&](int c) {
@@ -332,25 +389,27 @@ class TiffReader {
 
   /// Not-a-number is a pixel without a value; infinity, and whole numbers that a double cannot tell apart,
   /// are refused.
-  void check_values(const TiffTags& tags, const Raster<double>& values) const {
-    const auto place = [&](auto found) {
-      const std::int64_t at = found - values.data.begin();
-      return "the first in row " + std::to_string(at / values.cols) + ", column " +
-             std::to_string(at % values.cols);
-    };
-    const auto is_bad = [](double value) { return std::isinf(value); };
-    const auto bad = std::find_if(values.data.begin(), values.data.end(), is_bad);
-    if (bad != values.data.end())
-      throw bad_picture(source_.path,
-                        "holds " + std::to_string(std::count_if(bad, values.data.end(), is_bad)) +
-                            " infinite pixels, " + place(bad),
-                        "replace them by a value, e.g. -1, first");
+  void check_values(const TiffTags& tags, const GreyLevels& levels) const {
+    const bool whole = tags.format != SAMPLEFORMAT_IEEEFP;
+    if (whole && tags.bits < 64) return;
     constexpr double exact = 9'007'199'254'740'992.0;  // 2^53
-    const auto large = std::find_if(values.data.begin(), values.data.end(),
-                                    [](double value) { return std::abs(value) > exact; });
-    if (tags.bits == 64 && tags.format != SAMPLEFORMAT_IEEEFP && large != values.data.end())
-      throw bad_picture(source_.path, "holds numbers above 2^53, " + place(large),
+    const auto is_bad = [&](double value) { return whole ? std::abs(value) > exact : std::isinf(value); };
+    const auto place = [&](std::ptrdiff_t at) {
+      return "the first in row " + std::to_string(at / levels.cols) + ", column " +
+             std::to_string(at % levels.cols);
+    };
+    std::int64_t count = 0;
+    std::ptrdiff_t first = 0;
+    levels.data.visit([&](const auto& values) {
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (is_bad(static_cast<double>(values[i])) && count++ == 0) first = static_cast<std::ptrdiff_t>(i);
+    });
+    if (count == 0) return;
+    if (whole)
+      throw bad_picture(source_.path, "holds numbers above 2^53, " + place(first),
                         "number the grains 1, 2, 3, ... instead");
+    throw bad_picture(source_.path, "holds " + std::to_string(count) + " infinite pixels, " + place(first),
+                      "replace them by a value, e.g. -1, first");
   }
 
   void read_palette_picture(const TiffTags& tags, Picture& picture) {
@@ -365,11 +424,7 @@ class TiffReader {
       for (const std::uint16_t channel : {red[i], green[i], blue[i]}) byte.look_at(channel);
     std::vector<Rgb> palette;
     for (int i = 0; i < count; ++i) palette.push_back({byte(red[i]), byte(green[i]), byte(blue[i])});
-    const Raster<double> values = channel(tags);
-    Raster<std::uint8_t> indices(tags.rows, tags.cols);
-    std::transform(values.data.begin(), values.data.end(), indices.data.begin(),
-                   [](double value) { return static_cast<std::uint8_t>(value); });
-    set_palette_pixels(picture, source_, std::move(indices), palette);
+    set_palette_pixels(picture, source_, channel_as<std::uint8_t>(tags, 0), palette);
   }
 
   /// Any kind of colour, by libtiff's own conversion to 8-bit RGB with premultiplied opacity.

@@ -59,6 +59,10 @@ def write_tiff(path, edge, tile):
 
 
 def pictures():
+    # 12 bytes a pixel at most, beside the program itself.
+    write_png(Path("bomb.png"), 4000, 8)
+    met, said = run("convert", "bomb.png", "--pixel-size", "1 mm", "-o", "s.h5")
+    assert met == 0, said
     write_png(Path("large.png"), 32000, 1)
     convert = ["convert", "large.png", "--pixel-size", "1 mm", "-o", "s.h5"]
     refused(convert, 65, "large.png: 32000 x 32000 pixels; at most 200000000 pixels are allowed")
@@ -69,7 +73,11 @@ def pictures():
 
 def texts():
     Path("endless.toml").symlink_to("/dev/zero")
-    refused(["simulate", "endless.toml"], 65, "endless.toml: is too long; at most 16 MiB are read")
+    os.mkfifo("pipe.toml")
+    os.mkfifo("pipe.png")
+    for name in "endless.toml", "pipe.toml", "pipe.png":
+        for command in (["simulate"], ["convert"], ["scene", "check"], ["inspect"], ["study"], ["generate", "--ellipses"]):
+            refused([*command, name], 74, f"{name}: is not a regular file")
     for name, text in {"keys": "a" + ".a" * 100_000 + " = 1", "lists": "a = " + "[" * 100_000, "tables": "a = " + "{a = " * 100_000}.items():
         Path(f"{name}.toml").write_text(text)
         refused(["simulate", f"{name}.toml"], 65, "nested too deep")

@@ -105,7 +105,7 @@ TEST_F(ExportCommand, MapsOfARunLieInItsFolder) {
   const specimen::Picture damage = specimen::read_picture("run/damage.tif");
   EXPECT_EQ(damage.bits, 8);
   EXPECT_DOUBLE_EQ(damage.pixel_size, 0.5e-3);
-  EXPECT_THAT(damage.gray.data, testing::ElementsAre(0, 2, 0, 0, 0, 0));
+  EXPECT_THAT(damage.gray.data.doubles(), testing::ElementsAre(0, 2, 0, 0, 0, 0));
 }
 
 TEST_F(ExportCommand, FailureStrainsAreThoseOfTheResult) {
@@ -118,7 +118,8 @@ TEST_F(ExportCommand, FailureStrainsAreThoseOfTheResult) {
   const specimen::Picture strain = specimen::read_picture("broken/failure_strain.tif");
   EXPECT_EQ(strain.bits, 32);
   EXPECT_DOUBLE_EQ(strain.pixel_size, 0.5e-3);
-  EXPECT_THAT(strain.gray.data, testing::ElementsAre(1e-4F, 2e-4F, 3e-4F, 4e-4F)) << "the top row first";
+  EXPECT_THAT(strain.gray.data.doubles(), testing::ElementsAre(1e-4F, 2e-4F, 3e-4F, 4e-4F))
+      << "the top row first";
 }
 
 TEST_F(ExportCommand, MapsOfARunGoWhereTheyAreWanted) {

@@ -123,7 +123,7 @@ Picture counting_picture() {
 
 TEST(ConvertOptions, CropKeepsARectangle) {
   const Picture part = specimen::cropped(counting_picture(), {1, 1, 2, 2});
-  EXPECT_EQ(part.gray.data, (std::vector<double>{5, 6, 9, 10}));
+  EXPECT_EQ(part.gray.data.doubles(), (std::vector<double>{5, 6, 9, 10}));
   EXPECT_EQ(specimen::cropped(counting_picture(), {}).gray, counting_picture().gray);
 }
 

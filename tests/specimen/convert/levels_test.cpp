@@ -24,7 +24,7 @@ Raster<double> ramp(double low, double high) {
 }
 
 TEST(Levels, OneHotPixelIsTamedAndNamed) {
-  Raster<double> gray = ramp(0.02, 0.06);
+  specimen::GreyLevels gray = ramp(0.02, 0.06);
   gray(17, 33) = 3;
   const std::string note = tame_outliers(gray);
   EXPECT_THAT(note, ::testing::HasSubstr("1 pixel far outside of the range"));
@@ -34,7 +34,7 @@ TEST(Levels, OneHotPixelIsTamedAndNamed) {
 }
 
 TEST(Levels, BytesStayAsTheyAre) {
-  Raster<double> gray(10, 10, 0.0);
+  specimen::GreyLevels gray = Raster<double>(10, 10, 0.0);
   gray(3, 3) = 255;
   EXPECT_EQ(tame_outliers(gray), "");
   EXPECT_EQ(as_colour(gray)(3, 3), (Rgb{255, 255, 255}));
@@ -60,7 +60,8 @@ TEST(Levels, BytesInAnyUnitAreTheSameBytes) {
     by_16.data[i] = 16 * bytes.data[i];
   }
   EXPECT_EQ(as_colour(by_16), as_colour(bytes));
-  EXPECT_EQ(tame_outliers(by_16), "");
+  specimen::GreyLevels untouched = by_16;
+  EXPECT_EQ(tame_outliers(untouched), "");
   Raster<double> four_bits(1, 2);
   four_bits.data = {3, 15};
   EXPECT_EQ(as_colour(four_bits, 4).data, (std::vector<Rgb>{{51, 51, 51}, {255, 255, 255}}));
@@ -80,13 +81,27 @@ TEST(Levels, TheCommonFormHasGreyForGreyAndBytesForBytes) {
   picture.colour = Raster<Rgb>(1, 2, Rgb{9, 9, 9});
   const Picture grey = specimen::in_common_form(picture);
   EXPECT_TRUE(grey.colour.empty());
-  EXPECT_EQ(grey.gray.data, (std::vector<double>{9, 9}));
+  EXPECT_EQ(grey.gray.data.doubles(), (std::vector<double>{9, 9}));
   Picture fractions;
   fractions.gray = Raster<double>(1, 3);
-  fractions.gray.data = {0, static_cast<double>(51 / 255.0F), 1};
-  EXPECT_EQ(specimen::in_common_form(fractions).gray.data, (std::vector<double>{0, 51, 255}));
-  fractions.gray.data = {0, 0.5, 1};
-  EXPECT_EQ(specimen::in_common_form(fractions).gray.data, (std::vector<double>{0, 0.5, 1}));
+  fractions.gray.data = std::vector<float>{0, 51 / 255.0F, 1};
+  EXPECT_EQ(specimen::in_common_form(fractions).gray.data.doubles(), (std::vector<double>{0, 51, 255}));
+  fractions.gray.data = std::vector<double>{0, 0.5, 1};
+  EXPECT_EQ(specimen::in_common_form(fractions).gray.data.doubles(), (std::vector<double>{0, 0.5, 1}));
+}
+
+TEST(Levels, TheCommonFormHasTheSmallestNumbers) {
+  const auto bytes_each = [](std::vector<double> values) {
+    Picture picture;
+    Raster<double> gray(1, static_cast<int>(values.size()));
+    gray.data = std::move(values);
+    picture.gray = std::move(gray);
+    return specimen::in_common_form(picture).gray.data.visit([](const auto& v) { return sizeof(v.front()); });
+  };
+  EXPECT_EQ(bytes_each({0, 255}), 1U);
+  EXPECT_EQ(bytes_each({0, 256}), 2U);
+  for (const double odd : {-1.0, 65536.0, 0.3, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(bytes_each({0, odd}), 8U) << odd;
 }
 
 TEST(Levels, OtherRangesAreSpread) {

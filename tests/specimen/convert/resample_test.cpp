@@ -17,6 +17,13 @@ using specimen_test::cells_of;
 using specimen_test::text_of;
 using Rows = std::vector<std::string>;
 
+TEST(Resample, CellsComeBackToThePixelsThatTheyWereMadeOf) {
+  Raster<specimen::Cell> cells(2, 3);
+  cells.data = {0, 1, 2, 1, 2, 0};
+  const Raster<specimen::Cell> whole = specimen::at_centres(cells, {3, 5, 2, 3, 5});
+  EXPECT_EQ(whole.data, (std::vector<specimen::Cell>{0, 0, 1, 1, 2, 0, 0, 1, 1, 2, 1, 1, 2, 2, 0}));
+}
+
 TEST(Resample, TheSameSizeChangesNothing) {
   const auto cells = cells_of({"12.", "1 .", "...", "333"});
   EXPECT_EQ(resampled(cells, choose_mask_size(4, 3, 1, 3)), cells);

@@ -78,12 +78,19 @@ Picture in_units_of(double unit, Raster<double> gray, int bits = 16) {
   return picture;
 }
 
+Raster<float> single(const Raster<double>& gray) {
+  Raster<float> values(gray.rows, gray.cols);
+  std::transform(gray.data.begin(), gray.data.end(), values.data.begin(),
+                 [](double v) { return static_cast<float>(v); });
+  return values;
+}
+
 std::vector<Picture> all_encodings(const Raster<double>& gray) {
   std::vector<Picture> all{in_colour(gray), with_palette(gray)};
   for (const double unit : {257.0, 256.0, 16.0, 1.0}) all.push_back(in_units_of(unit, gray));
   all.push_back(in_units_of(1 / 255.0, gray, 64));
   all.push_back(in_units_of(1 / 255.0, gray, 32));
-  for (double& v : all.back().gray.data) v = static_cast<double>(static_cast<float>(v));
+  all.back().gray = single(all.back().gray.doubles());
   return all;
 }
 
@@ -154,6 +161,29 @@ TEST(SegmentMap, GrainsThatShareAColourOfThePaletteStayApart) {
   const Converted converted = convert(picture);
   EXPECT_EQ(converted.report.method, specimen::Segmentation::instances);
   EXPECT_EQ(converted.segmented.inclusions.size(), 6U);
+}
+
+TEST(SegmentMap, ALargePhotographIsAveragedAndItsMaskIsAsLargeAsIt) {
+  const KnownTruth truth = known_truth();
+  constexpr int times = 34;  // just above what is averaged
+  Raster<std::uint8_t> large(truth.rows * times, truth.cols * times);
+  specimen::Random random(4);
+  std::vector<std::uint8_t> noise(997);
+  for (std::uint8_t& v : noise) v = static_cast<std::uint8_t>(random.uniform(0, 16));
+  for (int r = 0; r < large.rows; ++r)
+    for (int c = 0; c < large.cols; ++c)
+      large(r, c) = static_cast<std::uint8_t>(std::array{25, 190, 120}[truth.labels(r / times, c / times)] +
+                                              noise[static_cast<std::size_t>(r * 31 + c) % noise.size()]);
+  Picture picture;
+  picture.gray = std::move(large);
+  const Converted converted = convert(std::move(picture));
+  EXPECT_THAT(converted.report.notes, Contains(HasSubstr("averaged squares of 2 x 2 pixels")));
+  ASSERT_EQ(converted.segmented.mask.labels.cols, truth.cols * times);
+  Raster<std::uint8_t> middles(truth.rows, truth.cols);
+  for (int r = 0; r < truth.rows; ++r)
+    for (int c = 0; c < truth.cols; ++c)
+      middles(r, c) = converted.segmented.mask.labels(r * times + times / 2, c * times + times / 2);
+  EXPECT_LT(share_wrong(middles, truth.labels), 0.03);
 }
 
 TEST(SegmentMap, OneHotPixelChangesNothing) {

@@ -81,7 +81,7 @@ TEST(PictureBmp, TakesAGrayPaletteForGray) {
   const Scratch scratch;
   const BmpRecipe recipe{2, 1, 8, {{10, 10, 10}, {90, 90, 90}}, {1, 0, 0, 0}, 0, 0};
   const Picture picture = specimen::read_picture(scratch.write("gray.bmp", make_bmp(recipe)));
-  EXPECT_EQ(picture.gray.data, (std::vector<double>{90, 10}));
+  EXPECT_EQ(picture.gray.data.doubles(), (std::vector<double>{90, 10}));
   EXPECT_EQ(picture.indices.data, (std::vector<std::uint8_t>{1, 0}));
 }
 

@@ -45,9 +45,9 @@ TEST(DeepColours, AreGreyWhereTheyAreAlike) {
   specimen::Raster<specimen::DeepRgb> deep(1, 2);
   deep.data = {{1, 1, 1}, {300, 300, 300}};
   specimen::Picture picture;
-  specimen::set_deep_colours(picture, deep);
+  specimen::set_deep_colours(picture, deep.rows, deep.cols, [&](std::size_t i) { return deep.data[i]; });
   EXPECT_TRUE(picture.colour.empty());
-  EXPECT_EQ(picture.gray.data, (std::vector<double>{1, 300})) << "labels would be lost in bytes";
+  EXPECT_EQ(picture.gray.data.doubles(), (std::vector<double>{1, 300})) << "labels would be lost in bytes";
 }
 
 TEST(DeepColours, BecomeTheBytesThatTheyWere) {
@@ -57,7 +57,7 @@ TEST(DeepColours, BecomeTheBytesThatTheyWere) {
     specimen::Raster<specimen::DeepRgb> deep(1, 2);
     deep.data = {{channel(1), channel(2), channel(3)}, {channel(255), channel(0), channel(128)}};
     specimen::Picture picture;
-    specimen::set_deep_colours(picture, deep);
+    specimen::set_deep_colours(picture, deep.rows, deep.cols, [&](std::size_t i) { return deep.data[i]; });
     EXPECT_EQ(picture.colour.data, (std::vector<Rgb>{{1, 2, 3}, {255, 0, 128}})) << unit;
   }
 }

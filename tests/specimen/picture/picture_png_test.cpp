@@ -23,12 +23,12 @@ TEST(PicturePng, KeepsGrayValuesOfEveryDepthAsStored) {
     recipe.data = std::move(data);
     return specimen::read_picture(scratch.write("gray.png", make_png(recipe)));
   };
-  EXPECT_EQ(read(1, {0b01010000}).gray.data, (std::vector<double>{0, 1, 0, 1}));
-  EXPECT_EQ(read(2, {0b00011011}).gray.data, (std::vector<double>{0, 1, 2, 3}));
-  EXPECT_EQ(read(4, {0x0f, 0x7a}).gray.data, (std::vector<double>{0, 15, 7, 10}));
-  EXPECT_EQ(read(8, {0, 1, 128, 255}).gray.data, (std::vector<double>{0, 1, 128, 255}));
+  EXPECT_EQ(read(1, {0b01010000}).gray.data.doubles(), (std::vector<double>{0, 1, 0, 1}));
+  EXPECT_EQ(read(2, {0b00011011}).gray.data.doubles(), (std::vector<double>{0, 1, 2, 3}));
+  EXPECT_EQ(read(4, {0x0f, 0x7a}).gray.data.doubles(), (std::vector<double>{0, 15, 7, 10}));
+  EXPECT_EQ(read(8, {0, 1, 128, 255}).gray.data.doubles(), (std::vector<double>{0, 1, 128, 255}));
   const Picture deep = read(16, {0, 1, 1, 0, 0xff, 0xff, 0x12, 0x34});
-  EXPECT_EQ(deep.gray.data, (std::vector<double>{1, 256, 65535, 0x1234}));
+  EXPECT_EQ(deep.gray.data.doubles(), (std::vector<double>{1, 256, 65535, 0x1234}));
   EXPECT_EQ(deep.bits, 16);
 }
 
@@ -63,7 +63,7 @@ TEST(PicturePng, TurnsUprightWhatItsExifSays) {
   bytes.insert(bytes.begin() + 33, chunk.begin(), chunk.end());  // behind the signature and IHDR
   const Picture picture = specimen::read_picture(scratch.write("turned.png", bytes));
   EXPECT_EQ(picture.rows(), 3);
-  EXPECT_EQ(picture.gray.data, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(picture.gray.data.doubles(), (std::vector<double>{1, 2, 3}));
 }
 
 TEST(PicturePng, KeepsTheOpacityOfGray) {
@@ -71,7 +71,7 @@ TEST(PicturePng, KeepsTheOpacityOfGray) {
   PngRecipe recipe{2, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA};
   recipe.data = {7, 255, 9, 0};
   const Picture picture = specimen::read_picture(scratch.write("ga.png", make_png(recipe)));
-  EXPECT_EQ(picture.gray.data, (std::vector<double>{7, 9}));
+  EXPECT_EQ(picture.gray.data.doubles(), (std::vector<double>{7, 9}));
   EXPECT_EQ(picture.opacity.data, (std::vector<std::uint8_t>{255, 0}));
 }
 
@@ -89,7 +89,7 @@ TEST(PicturePng, KeepsSmallNumbersInDeepColour) {
   PngRecipe recipe{2, 1, 16, PNG_COLOR_TYPE_RGB};
   recipe.data = {0, 1, 0, 1, 0, 1, 0, 2, 0, 2, 0, 2};
   const Picture picture = specimen::read_picture(scratch.write("rgb16.png", make_png(recipe)));
-  EXPECT_EQ(picture.gray.data, (std::vector<double>{1, 2}));
+  EXPECT_EQ(picture.gray.data.doubles(), (std::vector<double>{1, 2}));
 }
 
 PngRecipe palette_recipe() {

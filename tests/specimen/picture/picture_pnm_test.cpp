@@ -16,7 +16,7 @@ TEST(PicturePnm, ReadsTextWithComments) {
   const Scratch scratch;
   const Picture gray =
       specimen::read_picture(scratch.write("t.pgm", "P2 # made by hand\n# twice\n3 1\n# max\n9\n0 5\n9"s));
-  EXPECT_EQ(gray.gray.data, (std::vector<double>{0, 5, 9}));
+  EXPECT_EQ(gray.gray.data.doubles(), (std::vector<double>{0, 5, 9}));
   const Picture colour = specimen::read_picture(scratch.write("t.ppm", "P3\n2 1 15\n15 0 0  0 15 3\n"s));
   EXPECT_EQ(colour.colour.data, (std::vector<Rgb>{{255, 0, 0}, {0, 255, 51}}));
 }
@@ -24,9 +24,9 @@ TEST(PicturePnm, ReadsTextWithComments) {
 TEST(PicturePnm, ReadsBytesOfEightAndSixteenBits) {
   const Scratch scratch;
   const Picture gray = specimen::read_picture(scratch.write("b.pgm", "P5\n2 1\n255\n\x07\xff"s));
-  EXPECT_EQ(gray.gray.data, (std::vector<double>{7, 255}));
+  EXPECT_EQ(gray.gray.data.doubles(), (std::vector<double>{7, 255}));
   const Picture deep = specimen::read_picture(scratch.write("d.pgm", "P5 2 1 65535\n\x01\x00\xff\xff"s));
-  EXPECT_EQ(deep.gray.data, (std::vector<double>{256, 65535}));
+  EXPECT_EQ(deep.gray.data.doubles(), (std::vector<double>{256, 65535}));
   EXPECT_EQ(deep.bits, 16);
   const Picture colour = specimen::read_picture(scratch.write("b.ppm", "P6 1 1 255 \x01\x02\x03"s));
   EXPECT_EQ(colour.colour(0, 0), (Rgb{1, 2, 3}));
@@ -35,7 +35,7 @@ TEST(PicturePnm, ReadsBytesOfEightAndSixteenBits) {
 TEST(PicturePnm, GreyAsColoursIsGreyAsItStands) {
   const Scratch scratch;
   const Picture labels = specimen::read_picture(scratch.write("g.ppm", "P3 2 1 65535 1 1 1 2 2 2"s));
-  EXPECT_EQ(labels.gray.data, (std::vector<double>{1, 2}));
+  EXPECT_EQ(labels.gray.data.doubles(), (std::vector<double>{1, 2}));
 }
 
 TEST(PicturePnm, RefusesSeveralPictures) {

@@ -78,6 +78,19 @@ TEST(Picture, RefusesWhatIsNoPicture) {
       "a specimen of mesopix needs no conversion: give it to the next command as it is");
 }
 
+TEST(Picture, TellsItsSizeBeforeItsPixels) {
+  const Scratch scratch;
+  for (const char* name : {"a.png", "a.tif", "a.bmp", "a.pgm"}) {
+    specimen::write_labels(scratch.file(name), mask_of_all_labels(1));
+    std::vector<std::int64_t> told;
+    (void)specimen::read_picture(scratch.file(name), 1'000'000, [&](std::int64_t rows, std::int64_t cols) {
+      told.insert(told.end(), {rows, cols});
+    });
+    const specimen::Picture picture = specimen::read_picture(scratch.file(name));
+    EXPECT_EQ(told, (std::vector<std::int64_t>{picture.rows(), picture.cols()})) << name;
+  }
+}
+
 TEST(Picture, RefusesMorePixelsThanAllowed) {
   const Scratch scratch;
   for (const char* name : {"a.png", "a.tif", "a.bmp", "a.pgm"}) {

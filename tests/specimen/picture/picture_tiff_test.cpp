@@ -37,7 +37,7 @@ void expect_values(int format, std::vector<T> data) {
   for (const bool big_endian : {false, true}) {
     recipe.big_endian = big_endian;
     const Picture picture = specimen::read_picture(make_tiff(scratch, recipe, data));
-    EXPECT_EQ(picture.gray.data, std::vector<double>(data.begin(), data.end()));
+    EXPECT_EQ(picture.gray.data.doubles(), std::vector<double>(data.begin(), data.end()));
     EXPECT_EQ(picture.bits, recipe.bits);
   }
 }
@@ -60,7 +60,7 @@ TEST(PictureTiff, ReadsBitsOfOneTwoAndFour) {
   TiffRecipe recipe{4, 1, 1};
   const auto read = [&](int bits, std::vector<std::uint8_t> data) {
     recipe.bits = bits;
-    return specimen::read_picture(make_tiff(scratch, recipe, std::move(data))).gray.data;
+    return specimen::read_picture(make_tiff(scratch, recipe, std::move(data))).gray.data.doubles();
   };
   EXPECT_EQ(read(1, {0b01010000}), (std::vector<double>{0, 1, 0, 1}));
   EXPECT_EQ(read(2, {0b00011011}), (std::vector<double>{0, 1, 2, 3}));
@@ -201,7 +201,7 @@ TEST(PictureTiff, StandsUpright) {
   recipe.orientation = ORIENTATION_LEFTBOT;  // 8: column 0 is the bottom of the scene
   const Picture picture = specimen::read_picture(make_tiff<std::uint8_t>(scratch, recipe, {1, 2, 3}));
   EXPECT_EQ(picture.rows(), 3);
-  EXPECT_EQ(picture.gray.data, (std::vector<double>{3, 2, 1}));
+  EXPECT_EQ(picture.gray.data.doubles(), (std::vector<double>{3, 2, 1}));
 }
 
 TEST(PictureTiff, KeepsNotANumberAndRefusesInfinity) {
@@ -270,7 +270,7 @@ TEST(PictureTiff, RefusesSeveralPagesButNotAPreview) {
   const Scratch scratch;
   const std::string path = make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
   add_page(path, FILETYPE_REDUCEDIMAGE, 9);
-  EXPECT_EQ(specimen::read_picture(path).gray.data, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(specimen::read_picture(path).gray.data.doubles(), (std::vector<double>{1, 2, 3, 4}));
   for (const int kind : {0, FILETYPE_PAGE}) {
     (void)make_tiff<std::uint8_t>(scratch, {}, {1, 2, 3, 4});
     add_page(path, FILETYPE_REDUCEDIMAGE, 9);
