@@ -200,19 +200,46 @@ class Sorter {
     return place == known_.end() ? unsettled : place->second;
   }
 
-  /// Whether a colour lies between two tones; then which of them is nearer.
-  [[nodiscard]] std::int32_t between(Rgb colour, std::int32_t a, std::int32_t b) const {
+  /// Share of the tone b in a colour between two tones [-]; -1 for one that is not.
+  [[nodiscard]] double share_between(Rgb colour, std::int32_t a, std::int32_t b) const {
     const double tolerance = lossy_ ? 60 : 12;
     const Rgb x = tones_[static_cast<std::size_t>(a)].colour, y = tones_[static_cast<std::size_t>(b)].colour;
     const std::array<double, 3> way{double(y.r) - x.r, double(y.g) - x.g, double(y.b) - x.b};
     const std::array<double, 3> from{double(colour.r) - x.r, double(colour.g) - x.g, double(colour.b) - x.b};
     const double length = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
     const double t = (way[0] * from[0] + way[1] * from[1] + way[2] * from[2]) / length;
-    if (t <= 0 || t >= 1) return unsettled;
+    if (t <= 0 || t >= 1) return -1;
     double off = 0;
     for (std::size_t k = 0; k < 3; ++k) off += (from[k] - t * way[k]) * (from[k] - t * way[k]);
-    if (off > tolerance * tolerance) return unsettled;
-    return t < 0.5 ? a : b;
+    return off > tolerance * tolerance ? -1 : t;
+  }
+
+  /// Whether a colour lies between two tones; then which of them is nearer.
+  [[nodiscard]] std::int32_t between(Rgb colour, std::int32_t a, std::int32_t b) const {
+    const double t = share_between(colour, a, b);
+    return t < 0 ? unsettled : t < 0.5 ? a : b;
+  }
+
+  /// Whether the tone is on both sides of a pixel that has most of the other: the trace of a gap, or of a
+  /// bridge, of about a pixel. Two stones must not become one because a picture was made smaller.
+  [[nodiscard]] bool is_trace(int r, int c, std::int32_t tone, std::int32_t other) const {
+    constexpr double least = 0.25;
+    const double mine = share_between(picture_(r, c), tone, other);
+    if (mine < least) return false;
+    const auto reaches_tone = [&](int dr, int dc) {
+      for (int k = 1; k <= 2; ++k) {
+        const int row = r + k * dr, col = c + k * dc;
+        if (!code_.contains(row, col)) return false;
+        if (code_(row, col) != no_tone) return code_(row, col) == number_of_tone(tone);
+        const double share = share_between(picture_(row, col), tone, other);
+        if (share < 0 || share > mine) return false;
+      }
+      return false;
+    };
+    constexpr std::array<std::array<int, 2>, 4> ways{{{0, 1}, {1, 0}, {1, 1}, {1, -1}}};
+    return std::any_of(ways.begin(), ways.end(), [&](const std::array<int, 2>& way) {
+      return reaches_tone(way[0], way[1]) && reaches_tone(-way[0], -way[1]);
+    });
   }
 
   [[nodiscard]] bool between_any(Rgb colour) const {
@@ -239,15 +266,15 @@ class Sorter {
     met.clear();
     for (int radius = 1; radius <= far; ++radius) {
       look_round(r, c, radius, met);
-      std::int32_t best = unsettled;
+      std::int32_t best = unsettled, other = unsettled;
       int least = std::numeric_limits<int>::max();
       for (std::size_t i = 0; i < met.size(); ++i)
         for (std::size_t j = i + 1; j < met.size(); ++j)
           if (const std::int32_t t = between(colour, met[i], met[j]); t >= 0) {
             const int d = squared(tones_[static_cast<std::size_t>(t)].colour, colour);
-            if (d < least) least = d, best = t;
+            if (d < least) least = d, best = t, other = t == met[i] ? met[j] : met[i];
           }
-      if (best >= 0) return best;
+      if (best >= 0) return is_trace(r, c, best, other) ? other : best;
     }
     if (const ToneNumber own = own_(r, c); own != no_tone) return own;
     if (static_cast<int>(tones_.size()) <= few_tones) {

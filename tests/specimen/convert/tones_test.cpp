@@ -50,6 +50,24 @@ TEST(Tones, AnEdgeIsNoThirdTone) {
   }
 }
 
+// Two stones one pixel apart, in a picture at half its size: the gap is half as bright in two pixels, or in
+// one.
+TEST(Tones, TheTraceOfAGapKeepsStonesApart) {
+  for (const bool wide : {false, true})
+    for (const std::array<double, 2>& tones : {std::array{0.0, 255.0}, std::array{200.0, 40.0}}) {
+      Raster<double> gray(40, 50, tones[0]);
+      for (int r = 5; r < 30; ++r)
+        for (int c = 5; c < 40; ++c) {
+          const bool gap = c == 20 || (wide && c == 21);
+          gray(r, c) = gap ? std::floor(0.45 * tones[0] + 0.55 * tones[1]) : tones[1];
+        }
+      const auto toned = sort_into_tones(picture_of(gray));
+      ASSERT_TRUE(toned);
+      for (int r = 5; r < 30; ++r)
+        EXPECT_EQ(toned->map.values[static_cast<std::size_t>(toned->map.code(r, 20))], tones[0]) << r;
+    }
+}
+
 TEST(Tones, ColoursAsWell) {
   const KnownTruth truth = known_truth();
   const Raster<double> red = drawn_softly(truth, {0, 255, 20}), blue = drawn_softly(truth, {0, 10, 240});
