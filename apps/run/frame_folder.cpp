@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/system/files.hpp"
 #include "apps/text/figures.hpp"
 #include "libmpm/files/frame_file.hpp"
 #include "libmpm/files/replace_file.hpp"
