@@ -63,7 +63,18 @@ class Sets {
     parent_[static_cast<std::size_t>(b)] = a;
     return a;
   }
-  [[nodiscard]] std::size_t size() const { return parent_.size(); }
+  /// Number the sets 0, 1, ... by their first numbers, in place of all else: only number_of() is of use after
+  /// it.
+  /// @return how many there are.
+  std::int32_t number_sets() {
+    std::int32_t count = 0;
+    for (std::size_t i = 0; i < parent_.size(); ++i) {
+      const auto up = static_cast<std::size_t>(parent_[i]);  // at most i, and numbered already if less
+      parent_[i] = up == i ? count++ : parent_[up];
+    }
+    return count;
+  }
+  [[nodiscard]] std::int32_t number_of(std::int32_t i) const { return parent_[static_cast<std::size_t>(i)]; }
 
  private:
   std::vector<std::int32_t> parent_;
@@ -95,16 +106,12 @@ Components pieces(const Raster<T>& values, Connectivity connectivity) {
       std::fill(piece + first, piece + end, mine);
     }
   }
-  std::vector<std::int32_t> number(sets.size(), -1);
+  result.area.assign(static_cast<std::size_t>(sets.number_sets()), 0);
   std::vector<std::int32_t>& piece = result.piece.data;
   for (std::size_t first = 0, end = 0; first < piece.size(); first = end) {
     const std::int32_t provisional = piece[first];
     for (end = first + 1; end < piece.size() && piece[end] == provisional;) ++end;
-    std::int32_t& n = number[static_cast<std::size_t>(sets.find(provisional))];
-    if (n < 0) {
-      n = result.count();
-      result.area.push_back(0);
-    }
+    const std::int32_t n = sets.number_of(provisional);
     std::fill(&piece[first], &piece[first] + (end - first), n);
     result.area[static_cast<std::size_t>(n)] += static_cast<std::int64_t>(end - first);
   }

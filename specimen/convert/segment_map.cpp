@@ -295,7 +295,10 @@ std::optional<ValueMap> values_of(const Picture& picture, int most, const Conver
 
 std::optional<ValueMap> map_of(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
   refuse_lossy_labels(picture);
+  constexpr int few = 8;
+  constexpr double noise = 0.5;  // of a map not even that many neighbours would differ
   std::optional<ValueMap> map = values_of(picture, most_grains, o);
+  if (map && !picture.lossy && map->count() > few && coherence(*map) < noise) return map;
   if (map && !picture.lossy && looks_like_grains(*map)) return map;
   if (map && !picture.lossy && !has_fringes(*map)) {
     const bool has_order = picture.indices.empty() || !shares_colours(picture);
