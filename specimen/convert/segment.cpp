@@ -29,20 +29,24 @@ Segmentation implied_method(const ConvertOptions& o) {
   return Segmentation::automatic;
 }
 
-/// Edge of the median filter: as given, or 1 % of the shorter side, which leaves what a mask can show.
-int median_edge(const ConvertOptions& o, int rows, int cols) {
-  if (o.median >= 0) return o.median;
-  return 2 * static_cast<int>(std::lround((0.01 * std::min(rows, cols) - 1) / 2)) + 1;
+/// Edge of the median filter on a picture that was averaged: as given in pixels of the picture itself, or 1 %
+/// of the shorter side, which leaves what a mask can show.
+int median_edge(const ConvertOptions& o, int rows, int cols, int factor) {
+  const auto odd = [](double edge) { return 2 * static_cast<int>(std::lround((edge - 1) / 2)) + 1; };
+  if (o.median > 1 && factor > 1) return odd(std::max(1.0, static_cast<double>(o.median) / factor));
+  return o.median >= 0 ? o.median : odd(0.01 * std::min(rows, cols));
 }
 
 /// Twice the columns of the mask are sharp enough for a vote; below some 600 the colours of small pores mix
-/// with what is round them. Of a large picture the median would leave no more than its average over squares.
+/// with what is round them. Of a large picture the median would leave no more than its average over squares,
+/// and sorting takes some 70 bytes a pixel.
 int shrink_factor(const ConvertOptions& o, int rows, int cols) {
-  constexpr int fewest_columns = 600, enough = 2000;
-  if (o.median != -1) return 1;
-  const int large = std::max(1, std::min(rows, cols) / enough);
-  if (o.pixels == 0) return large;
-  return std::max(1, cols / std::max(2 * o.pixels, fewest_columns));
+  constexpr int fewest_columns = 600, fine_enough = 2000, least = 3;
+  constexpr double large = 16e6;  // [px]
+  const bool is_large = static_cast<double>(rows) * cols > large;
+  const int needed = is_large ? std::max(least, std::min(rows, cols) / fine_enough) : 1;
+  if (o.median != -1 || o.pixels == 0) return needed;
+  return std::max(needed, cols / std::max(2 * o.pixels, fewest_columns));
 }
 
 template <class T>
@@ -52,7 +56,7 @@ Raster<T> calmed(const Raster<T>& picture, const ConvertOptions& o, int& factor,
   if (factor > 1)
     note(report,
          "averaged squares of " + std::to_string(factor) + " x " + std::to_string(factor) + " pixels");
-  const int edge = std::min(median_edge(o, calm.rows, calm.cols), 255);
+  const int edge = std::min(median_edge(o, calm.rows, calm.cols, factor), 255);
   if (edge <= 1) return calm;
   note(report, "median over " + std::to_string(edge) + " x " + std::to_string(edge) + " pixels" +
                    (factor > 1 ? " of these" : "") + (o.median < 0 ? ", chosen as 1 % of the picture" : ""));

@@ -177,7 +177,7 @@ TEST(SegmentMap, ALargePhotographIsAveragedAndItsMaskIsAsLargeAsIt) {
   Picture picture;
   picture.gray = std::move(large);
   const Converted converted = convert(std::move(picture));
-  EXPECT_THAT(converted.report.notes, Contains(HasSubstr("averaged squares of 2 x 2 pixels")));
+  EXPECT_THAT(converted.report.notes, Contains(HasSubstr("averaged squares of 3 x 3 pixels")));
   ASSERT_EQ(converted.segmented.mask.labels.cols, truth.cols * times);
   Raster<std::uint8_t> middles(truth.rows, truth.cols);
   for (int r = 0; r < truth.rows; ++r)
