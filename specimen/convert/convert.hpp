@@ -14,7 +14,8 @@
 ///   are different inclusions.
 /// - Outside of a round or tilted specimen there is void (Outside).
 /// - Pixels that are not square, as the file says, are made square by repeating rows or columns.
-/// - Photographs with `pixels` are first averaged to twice the columns of the mask (at least 600).
+/// - Photographs with `pixels` are first averaged to twice the columns of the mask (at least 600);
+///   those of more than 16 million pixels over squares of at least 3 x 3.
 /// - kmeans with classes = 0: a drawing in flat colours, noisy or not, gets one class per colour. In a cut
 ///   whose mortar is dyed pink by an indicator, the tint separates mortar, aggregate and the shaded walls of
 ///   voids. Otherwise there are two classes by tint, lightness and roughness. Pixels darker than half of the
