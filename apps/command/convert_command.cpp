@@ -42,7 +42,7 @@ nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specime
 }
 
 constexpr double seconds_a_pixel = 0.2e-6;  ///< of a picture without a given number of pixels [s]
-constexpr double long_wait = 10;             ///< that is told beforehand [s]
+constexpr double long_wait = 10;            ///< that is told beforehand [s]
 
 class ConvertCommand : public SettingsCommand {
  public:
