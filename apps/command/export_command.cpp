@@ -9,6 +9,7 @@
 
 #include "apps/command/export_formats.hpp"
 #include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/system/files.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/markup.hpp"

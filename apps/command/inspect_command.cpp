@@ -12,6 +12,7 @@
 #include "apps/job/specimen_report.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"

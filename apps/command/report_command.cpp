@@ -7,6 +7,7 @@
 #include "apps/report/comparison.hpp"
 #include "apps/run/run_folder.hpp"
 #include "apps/run/run_location.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/system/files.hpp"
 #include "apps/system/hdf5_files.hpp"

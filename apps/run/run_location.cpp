@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/run/run_remarks.hpp"
 #include "apps/run/solving.hpp"
 #include "apps/scene/input.hpp"
 #include "apps/scene/scene_file.hpp"
