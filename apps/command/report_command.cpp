@@ -109,7 +109,7 @@ class ReportCommand : public Command {
     std::vector<std::string> scenes;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const std::string path = result_of(runs_[i]).string();
-      if (kind_of_input(runs_[i]) == InputKind::folder) check_one_run(runs_[i]);
+      if (fs::path(path).filename() == "result.h5") check_one_run(fs::path(path).parent_path().string());
       compared.push_back({names[i], read_result(path)});
       scenes.push_back(read_scene_text(path));
     }

@@ -153,7 +153,7 @@ void CheckpointWriter::write_now() {
   } catch (const std::exception& error) {  // no memory for it
     trouble_ = error.what();
   }
-  checkpoint_.state = {};
+  std::string().swap(checkpoint_.state);  // which an assignment of nothing would keep
 }
 
 }  // namespace app

@@ -70,7 +70,7 @@ class Victim:
     def kill(self, process):
         """@return whether the run was over before."""
         begin = time.time()
-        until = begin + self.chance.uniform(0, 2 * self.given.every + 0.5)
+        until = begin + self.chance.uniform(0, 2 * self.given.every + 1)
         if self.kills % 2 == 0:
             while process.poll() is None and time.time() < until + 1 and not being_written(self.run):
                 pass

@@ -72,6 +72,14 @@ TEST_F(ReportCommand, RefusesWhatIsNoPairOfRuns) {
   EXPECT_FALSE(fs::exists("comparison.html"));
 }
 
+TEST_F(ReportCommand, RefusesTheFilesOfTwoRunsInOneFolder) {
+  std::ofstream("one/scene.toml") << "[damage]\nseed = 7\n";
+  for (const char* name : {"one", "one/result.h5"}) {
+    EXPECT_EQ(run({name, "two"}), Exit::data);
+    EXPECT_THAT(err_.str(), HasSubstr("one/result.h5: is of another run than one/scene.toml"));
+  }
+}
+
 TEST_F(ReportCommand, NamesTheRunThatCannotBeRead) {
   EXPECT_EQ(run({"one", "missing"}), Exit::io);
   EXPECT_THAT(err_.str(), HasSubstr("missing"));
