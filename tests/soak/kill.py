@@ -128,7 +128,7 @@ class Victim:
 
     def endure_a_stall(self):
         """Kills while the disk stalls, and later, when the run has to have warned of it."""
-        for after in (0.6 * stall, stall + 2 * self.given.every + slack()):
+        for after in (0.6 * stall, stall + 4 * self.given.every):
             process, begin = self.start_with_a_stall()
             time.sleep(after)
             process.kill()
