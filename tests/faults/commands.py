@@ -23,6 +23,7 @@ class Command:
     each_alone: bool = False  # whether every file is tried, whatever became of those before it
     spare: str = ""  # a folder whose files the run may do without, and end well
     first: tuple = ()  # files without which the run does not begin
+    anew: bool = False  # whether it first removes what an earlier run has left in the same folder
 
 
 COMMANDS = {
@@ -31,7 +32,7 @@ COMMANDS = {
     "convert": Command("convert labels.png --width 20mm --itz-mode none -o cut.h5", ("cut.h5", "cut_preview.png")),
     "simulate": Command("simulate scene.toml -o run --frames 2", ("run",), True, first=("run/in_progress.lock",)),
     "simulate again": Command("simulate scene.toml -o first --overwrite --seed 2", ("first",), True,
-                              first=("first/in_progress.lock",)),
+                              first=("first/in_progress.lock", "first/scene.toml", "first/specimen.h5"), anew=True),
     "simulate moving": Command("simulate scene.toml -o moving --kinematics moving --stop-strain 1e-4", ("moving",), True,
                                first=("moving/in_progress.lock",)),
     "simulate checkpoints": Command("simulate scene.toml -o kept --checkpoint-every 1ms", ("kept",), True,
@@ -43,6 +44,7 @@ COMMANDS = {
     "stiffness": Command("stiffness specimen.h5 -o stiffness.json", ("stiffness.json",)),
     "twin": Command("twin specimen.h5 -n 2 -o twins", ("twins",)),
     "report": Command("report first second -o both.html", ("both.html",)),
+    "report again": Command("report first", ("first",), True, first=("first/in_progress.lock",)),
     "plot damage": Command("plot first -o damage.pdf", ("damage.pdf",)),
     "plot stress": Command("plot first --what stress -o stress.png", ("stress.png",)),
     "plot curve": Command("plot first --what curve -o curve.svg", ("curve.svg",)),

@@ -61,7 +61,10 @@ class Walk:
                 if after[path] != self.complete.get(path):  # those were looked at
                     check_whole(self.work / path)
         missing_before = set(self.before) - set(after)
-        assert missing_before <= set(self.before) - set(self.complete), f"{missing_before} is gone"
+        doomed = set(self.before) - set(self.complete)
+        if self.command.anew:
+            doomed |= {path for path in self.before if path.parts[0] in self.command.writes}
+        assert missing_before <= doomed, f"{missing_before - doomed} is gone"
         failed = [self.name_of(fault) for fault in faults]
         removed = all(fault.endswith(" (deleted)") for fault in faults)  # a lock that is let go: nothing to lose
         spared = removed or self.command.spare and all(path.is_relative_to(self.command.spare) for path in failed)
