@@ -152,8 +152,13 @@ class Run {
 
   [[nodiscard]] std::string trouble_message(const Ledger& ledger) const {
     char text[512];
-    std::snprintf(text, sizeof text, "%s, at step %lld (time %.4g s)", ledger.trouble.c_str(),
-                  static_cast<long long>(result_.steps), ledger.time);
+    if (scene_.method == SolverMethod::quasi_static)
+      std::snprintf(text, sizeof text, "%s, at state %lld (strain %.4g); choose solver.method = \"explicit\"",
+                    ledger.trouble.c_str(), static_cast<long long>(result_.steps),
+                    ledger.platen_displacement / scene_.height());
+    else
+      std::snprintf(text, sizeof text, "%s, at step %lld (time %.4g s)", ledger.trouble.c_str(),
+                    static_cast<long long>(result_.steps), ledger.time);
     return text;
   }
 

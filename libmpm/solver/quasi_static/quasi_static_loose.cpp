@@ -48,8 +48,9 @@ void QuasiStaticSolver::take_out(const Pieces& pieces) {
   std::vector<Equilibrium::Change> changes;
   const std::int64_t before = carrying_;
   each_point([&](const Place& at, std::size_t index) {
+    if (pieces.is_held(at.row, at.cell)) return;
     const double share = equilibrium_.kept(at);
-    if (share <= 0 || pieces.is_held(at.row, at.cell)) return;
+    if (share <= 0) return;
     if (is_live(share)) --carrying_;
     factors_[index] = 0;
     set_resistance(at, index);

@@ -212,6 +212,9 @@ std::vector<SeparatePoints::Told> SeparatePoints::told() const {
 
 bool SeparatePoints::set_told(const std::vector<Told>& all) {
   if (all.size() != count_) return false;
+  for (const Told& told : all)
+    if (!std::all_of(told.begin(), told.end(), [](double value) { return std::isfinite(value); }))
+      return false;
   auto told = all.begin();
   for (Row& row : rows_)
     for (Point& point : row.points) {

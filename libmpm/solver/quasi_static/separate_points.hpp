@@ -94,7 +94,7 @@ class SeparatePoints {
   /// What changed() has told last of a point, for an archive: upper triangle of the stiffness, row by row.
   using Told = std::array<double, 6>;
   [[nodiscard]] std::vector<Told> told() const;
-  /// @return false for a list of another length.
+  /// @return false for a list of another length, or of what is no number.
   [[nodiscard]] bool set_told(const std::vector<Told>& all);
 
  private:
