@@ -1,6 +1,7 @@
 #include "apps/study/study_report.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -36,11 +37,22 @@ std::string grouped_count(std::size_t count, const std::string& thing) {
   return output::grouped(number) + " " + noun_for(number, thing);
 }
 
+/// Whether what is said of the loading of the scene holds for all members.
+bool has_one_loading(const StudyPlan& plan) {
+  const auto is_of_loading = [](const Field& field) {
+    return field.key.starts_with("loading.") || field.key == "solver.method";
+  };
+  return std::none_of(plan.parameters.begin(), plan.parameters.end(), [&](const StudyParameter& parameter) {
+    return std::any_of(parameter.fields.begin(), parameter.fields.end(), is_of_loading);
+  });
+}
+
 std::string header(const StudyRecord& record) {
   const StudyPlan& plan = record.study.plan;
   const std::size_t seeds = std::max<std::size_t>(1, plan.seeds.size());
-  std::string setting = output::capitalised(output::setting_of_loading(record.scene)) + "; " +
-                        grouped_count(record.members.size(), "member");
+  std::string setting;
+  if (has_one_loading(plan)) setting = output::capitalised(output::setting_of_loading(record.scene)) + "; ";
+  setting += grouped_count(record.members.size(), "member");
   if (!plan.parameters.empty()) setting += ", " + grouped_count(record.members.size() / seeds, "point");
   if (!plan.seeds.empty())
     setting += ", " + grouped_count(seeds, "seed") + " of " + listed(plan.seed_of, "and");

@@ -17,6 +17,7 @@ namespace study_run_test {
 
 using namespace app;
 using testing::HasSubstr;
+using testing::Not;
 
 class StudyRun : public testing::Test {
  protected:
@@ -114,6 +115,21 @@ TEST_F(StudyRun, AMemberThatFailsIsKeptWithItsReasonAndTheRestGoesOn) {
   EXPECT_EQ(results.count(MemberState::failed), 1U);
   EXPECT_TRUE(std::isnan(results.peak_stress()[1]));
   EXPECT_EQ(results.cracks.members, 2);
+}
+
+/// The head of the report speaks of the loading only where all members share it.
+TEST_F(StudyRun, ReportsTheLoadingThatAllMembersShare) {
+  (void)run("[vary]\n\"generate.fraction\" = [0.3, 0.2]\n", 1);
+  write_study_report(folder_, study_, members_, read_results(folder_, members_));
+  EXPECT_THAT(test::read_text(folder_.file("report.html").string()), HasSubstr("platens; 2 members"));
+}
+
+TEST_F(StudyRun, ReportsNoLoadingWhereMembersDiffer) {
+  (void)run("[vary]\n\"loading.velocity\" = [\"0.1 m/s\", \"0.2 m/s\"]\n", 1);
+  write_study_report(folder_, study_, members_, read_results(folder_, members_));
+  const std::string report = test::read_text(folder_.file("report.html").string());
+  EXPECT_THAT(report, HasSubstr("2 members, 2 points"));
+  EXPECT_THAT(report, Not(HasSubstr("platens; 2 members")));
 }
 
 TEST_F(StudyRun, RefusesScenesThatDoNotGoWithTheSpecimen) {
