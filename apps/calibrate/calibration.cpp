@@ -7,7 +7,9 @@
 
 #include "apps/calibrate/trend_search.hpp"
 #include "apps/job/job.hpp"
+#include "apps/run/run_length.hpp"
 #include "apps/text/complaint.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "libmpm/scene/error.hpp"
 
@@ -19,6 +21,7 @@ constexpr double peak_step = 0.25;
 constexpr double curve_step = 0.08;
 constexpr double coarse_tolerance = 0.03;
 constexpr int coarse_evaluations = 25;
+constexpr int usual_evaluations = 10;  ///< of a fit to a peak, to tell whether a search is long
 
 std::vector<double> exponentials(const std::vector<double>& logarithms) {
   std::vector<double> values(logarithms.size());
@@ -106,7 +109,8 @@ class Calibrator {
       trouble_ = "no peak was reached: the stress was still rising far beyond loading.stop_strain";
       return;
     }
-    evaluation.peak = mean_peak(runs);
+    evaluation.peak = {spread_of_peaks(runs, &SeedRun::peak_stress).mean,
+                       spread_of_peaks(runs, &SeedRun::peak_strain).mean};
     evaluation.figures = figures;
     evaluation.misfit = std::sqrt(mean_square(figures, figures_of(target)));
   }
@@ -187,6 +191,20 @@ Calibration calibrate(const CalibrationTask& task, const std::function<bool()>& 
   return Calibrator(task, stopped, observer).run();
 }
 
+std::string announcement(const CalibrationTask& task) {
+  const mpm::Scene scene = scene_for(task.target, build_scene(task.specimen, task.settings));
+  const RunSize size = size_of(scene);
+  const int workers = std::min(workers_of(scene), task.seeds);
+  const double seconds = time_of_runs(
+      std::vector(static_cast<std::size_t>(task.seeds), size), [&] { return scene; }, workers);
+  if (!is_long(seconds * std::min(task.evaluations, usual_evaluations))) return {};
+  return fmt::format(
+      "each set of parameters takes about {} here: {} of {} points and {} steps, {} at a time; at most {} "
+      "are tried",
+      duration_text(seconds), counted(task.seeds, "run"), size.points, size.steps, workers,
+      counted(task.evaluations, "set"));
+}
+
 namespace {
 
 constexpr double least_slope = 0.05;  ///< of the peak against a parameter, both in logarithms
@@ -212,6 +230,7 @@ std::optional<std::vector<double>> parameter_spread(const CalibrationTask& task,
   const Target& target = task.target;
   std::vector<SeedRun> runs = calibration.runs;
   runs.insert(runs.end(), calibration.further_runs.begin(), calibration.further_runs.end());
+  std::erase_if(runs, [](const SeedRun& run) { return !run.peak_reached; });
   const auto figures = static_cast<std::size_t>(figures_of(target).size());
   if (!target.curve.empty() || task.parameters.size() > figures || runs.size() < 3) return std::nullopt;
   const Eigen::VectorXd best = logarithms_of(calibration.best_evaluation().factors);

@@ -49,6 +49,11 @@ using CalibrationObserver = std::function<void(const Calibration& so_far)>;
 [[nodiscard]] Calibration calibrate(const CalibrationTask& task, const std::function<bool()>& stopped,
                                     const CalibrationObserver& observer = {});
 
+/// What a set of parameters takes, where all that may be tried take long: "each set of parameters takes about
+/// 40 s here: 4 runs of ... points and ... steps, 2 at a time; at most 100 sets are tried". Measured within a
+/// second; empty for a short search.   @throws mpm::Error for an invalid scene.
+[[nodiscard]] std::string announcement(const CalibrationTask& task);
+
 /// Relative standard deviation of each parameter: that of the mean peak over seeds, carried over to the
 /// parameters by the slopes that the evaluations near the best one show.
 /// @return nullopt where a curve was aimed at, where there are more parameters than figures of the peak, and

@@ -69,8 +69,12 @@ Json target_json(const Target& target) {
   if (target.curve.empty())
     return {{"peak_stress_Pa", number_or_null(target.peak_stress)},
             {"peak_strain", number_or_null(target.peak_strain)}};
-  return {{"peak_stress_Pa", target.curve.peak_stress()},
-          {"peak_strain", target.curve.peak_strain()},
+  const bool peak = target.curve.has_peak();
+  const double stress = target.curve.peak_stress(), strain = target.curve.peak_strain();
+  return {{"peak_stress_Pa", peak ? Json(stress) : Json(nullptr)},
+          {"peak_strain", peak ? Json(strain) : Json(nullptr)},
+          {"largest_stress_Pa", stress},
+          {"strain_at_largest_stress", strain},
           {"curve", {{"strain", target.curve.strain}, {"stress_Pa", target.curve.stress}}}};
 }
 
@@ -116,9 +120,11 @@ Json peaks_json(const std::vector<SeedRun>& runs) {
   Json each = Json::array();
   for (const SeedRun& run : runs)
     each.push_back({{"seed", run.seed},
-                    {"peak_stress_Pa", run.peak_stress},
-                    {"peak_strain", run.peak_strain},
-                    {"peak_reached", run.peak_reached}});
+                    {"peak_reached", run.peak_reached},
+                    {"peak_stress_Pa", run.peak_reached ? Json(run.peak_stress) : Json(nullptr)},
+                    {"peak_strain", run.peak_reached ? Json(run.peak_strain) : Json(nullptr)},
+                    {"largest_stress_Pa", run.peak_stress},
+                    {"strain_at_largest_stress", run.peak_strain}});
   return {{"without_peak", without},
           {"peak_stress_mean_Pa", stress.mean},
           {"peak_stress_standard_deviation_Pa", known(stress.deviation)},
@@ -141,9 +147,10 @@ Json history_json(const Calibration& calibration) {
 }  // namespace
 
 Json calibration_json(const CalibrationTask& task, const Calibration& calibration) {
-  const std::string unmet = why_not_met(task, calibration);
+  const std::string unmet = why_not_met(task, calibration), doubt = doubt_of(task.target);
   return {{"target", target_json(task.target)},
           {"met", unmet.empty()},
+          {"doubt", doubt.empty() ? Json(nullptr) : Json(doubt)},
           {"why_not_met", unmet.empty() ? Json(nullptr) : Json(unmet)},
           {"misfit", calibration.misfit},
           {"parameters", parameters_json(task, calibration)},

@@ -28,8 +28,9 @@ std::string peak_text(const Peak& peak) {
 
 /// Of the mean of runs, relative.
 double standard_error(const std::vector<SeedRun>& runs, double SeedRun::*figure) {
-  const Spread spread = spread_of(runs, figure);
-  return spread.deviation / spread.mean / std::sqrt(static_cast<double>(runs.size()));
+  const Spread spread = spread_of_peaks(runs, figure);
+  return spread.deviation / spread.mean /
+         std::sqrt(static_cast<double>(runs.size() - count_without_peak(runs)));
 }
 
 bool is_met(const Target& target, const Calibration& calibration, bool at_bound) {
@@ -37,7 +38,7 @@ bool is_met(const Target& target, const Calibration& calibration, bool at_bound)
   const auto close = [&](const std::optional<double>& wanted, double SeedRun::*figure) {
     const double allowed =
         at_bound ? close_peak : std::max(close_peak, standard_error(calibration.runs, figure));
-    return !wanted || std::abs(spread_of(calibration.runs, figure).mean / *wanted - 1) <= allowed;
+    return !wanted || std::abs(spread_of_peaks(calibration.runs, figure).mean / *wanted - 1) <= allowed;
   };
   return close(target.peak_stress, &SeedRun::peak_stress) && close(target.peak_strain, &SeedRun::peak_strain);
 }
@@ -62,6 +63,12 @@ std::string seeds_text(const std::vector<SeedRun>& runs) {
   return fmt::format("seeds {} to {}", runs.front().seed, runs.back().seed);
 }
 
+std::string nearest_peak(const std::vector<SeedRun>& runs) {
+  if (count_without_peak(runs) == runs.size()) return "no peak at all";
+  return "a peak of " + peak_text({spread_of_peaks(runs, &SeedRun::peak_stress).mean,
+                                   spread_of_peaks(runs, &SeedRun::peak_strain).mean});
+}
+
 std::string runs_line(const std::vector<SeedRun>& runs) {
   const std::size_t without = count_without_peak(runs);
   if (without == runs.size())
@@ -81,7 +88,8 @@ std::string runs_line(const std::vector<SeedRun>& runs) {
 
 std::string target_text(const Target& target) {
   if (!target.curve.empty())
-    return fmt::format("a curve to strain {} with its peak of {}", strain_text(target.curve.last_strain()),
+    return fmt::format("a curve to strain {} {} {}", strain_text(target.curve.last_strain()),
+                       target.curve.has_peak() ? "with its peak of" : "without a peak, largest stress",
                        peak_text({target.curve.peak_stress(), target.curve.peak_strain()}));
   if (!target.peak_strain) return "a peak of " + stress_text(*target.peak_stress);
   if (!target.peak_stress) return "a peak at strain " + strain_text(*target.peak_strain);
@@ -113,12 +121,20 @@ std::string why_not_met(const CalibrationTask& task, const Calibration& calibrat
   const std::vector<std::string> bounds = active_bounds(task, calibration.best_evaluation().factors);
   if (is_met(task.target, calibration, !bounds.empty())) return {};
   const bool curve = !task.target.curve.empty();
-  const std::string nearest = curve ? fmt::format("a misfit of {:.3g} %", 100 * calibration.misfit)
-                                    : "a peak of " + peak_text(mean_peak(calibration.runs));
+  const std::string nearest =
+      curve ? fmt::format("a misfit of {:.3g} %", 100 * calibration.misfit) : nearest_peak(calibration.runs);
   const std::string reason =
       bounds.empty() ? "these parameters alone do not reach it; free others" : listed(bounds, "and");
   return fmt::format("the target, {}, was not met; the nearest is {}; {}", target_text(task.target), nearest,
                      reason);
+}
+
+std::string doubt_of(const Target& target) {
+  if (target.curve.empty() || target.curve.has_peak()) return {};
+  return fmt::format(
+      "the measured curve has no peak: its stress has not fallen again at its end, {}; what is fitted is the "
+      "rise alone, and strengths beyond those found fit it as well",
+      strain_text(target.curve.last_strain()));
 }
 
 std::vector<std::string> outcome_lines(const CalibrationTask& task, const Calibration& calibration) {
@@ -294,9 +310,10 @@ std::string header(const CalibrationTask& task, const Calibration& calibration, 
   const std::string setting =
       fmt::format("{} fitted to {}", output::capitalised(output::name_of_loading(task.settings.scene)),
                   target_text(task.target));
-  return output::heading(title, setting) +
-         (unmet.empty() ? ""
-                        : output::section("Not met", output::paragraph(output::capitalised(unmet) + ".")));
+  const auto said = [](const char* heading, const std::string& text) {
+    return text.empty() ? "" : output::section(heading, output::paragraph(output::capitalised(text) + "."));
+  };
+  return output::heading(title, setting) + said("Not met", unmet) + said("No peak", doubt_of(task.target));
 }
 
 constexpr const char* curves_caption =

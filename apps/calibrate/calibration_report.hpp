@@ -9,6 +9,9 @@
 
 namespace app {
 
+/// That a measured curve ends before its peak; empty for others.
+[[nodiscard]] std::string doubt_of(const Target& target);
+
 /// "a peak of 1.75 MPa at strain 75e-6", "a curve to strain 200e-6 with its peak of ...".
 [[nodiscard]] std::string target_text(const Target& target);
 

@@ -95,7 +95,10 @@ class CalibrateCommand : public SettingsCommand {
     if (const std::string note = note_of_left_out(resolved.origins, settings); !note.empty())
       console.say("note: " + note);
     const Job job = make_job(std::move(settings), console);
+    if (const std::string doubt = doubt_of(target); !doubt.empty()) console.warn(doubt);
     const CalibrationTask task = make_task(job, std::move(target), wish_);
+    if (!console.quiet)
+      if (const std::string length = announcement(task); !length.empty()) console.say(length);
     const FreshFolder folder(
         make_run_folder(output_, fs::path(input_).stem().string() + "-calibration", overwrite_));
     const Calibration calibration = fit(task, console);

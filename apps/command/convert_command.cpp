@@ -73,7 +73,8 @@ class ConvertCommand : public SettingsCommand {
     if (!reference_.empty())
       figures["intersection_over_union"] =
           compare(prepared.segmentation, resolved.settings.convert, reference_);
-    report_specimen(console, json_, prepared, figures, write_specimen_output(output, prepared.specimen));
+    report_specimen(console, json_, prepared, figures,
+                    write_specimen_output(output, prepared.specimen, prepared.photograph));
     if (!reference_.empty() && !json_)
       for (const auto& [phase, share] : figures["intersection_over_union"].items())
         console.say(fmt::format("  {:<12} IoU {:.4f}", phase, share.get<double>()));

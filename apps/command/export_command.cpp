@@ -10,6 +10,7 @@
 #include "apps/command/export_formats.hpp"
 #include "apps/run/run_location.hpp"
 #include "apps/scene/input.hpp"
+#include "apps/settings/settings.hpp"
 #include "apps/system/files.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/markup.hpp"
@@ -25,9 +26,12 @@ namespace fs = std::filesystem;
 constexpr const char* export_footer =
     "Formats of a specimen: inp (Abaqus, CalculiX), msh (Gmsh), vti (ParaView), png and tif (labels), csv\n"
     "(inclusions), roi (their outlines for ImageJ and Fiji). Of a run: tif (damage.tif and "
-    "failure_strain.tif).\n"
-    "Example: a mesh of one element a pixel, with an element set a phase\n"
-    "  mesopix export specimen.h5 --to inp";
+    "failure_strain.tif)\n"
+    "and inp. An inp has one element a pixel, an element set a phase, elastic materials (of a run its own, "
+    "else the "
+    "defaults of\na scene), and a static step that moves the top edge; --mesh-only leaves the last two out.\n"
+    "Example: the elastic test of a run for CalculiX\n"
+    "  mesopix export runs/specimen --to inp -o test.inp";
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
@@ -44,15 +48,37 @@ const ExportFormat& format_named(const std::string& name) {
   return export_formats()[static_cast<std::size_t>(found - names.begin())];
 }
 
-exchange::PlaneElement plane_of(const std::string& name, const ExportFormat& format) {
-  if (name.empty()) return exchange::PlaneElement::stress;
-  if (!format.has_plane_elements)
-    throw Rejected(Exit::usage, "--plane", std::string("given with --to ") + format.name,
-                   "belongs to --to inp");
+/// @param usual  plane, of a run.
+exchange::PlaneElement plane_of(const std::string& name, mpm::Plane usual) {
+  if (name.empty())
+    return usual == mpm::Plane::strain ? exchange::PlaneElement::strain : exchange::PlaneElement::stress;
   if (name != "stress" && name != "strain")
     throw Rejected(Exit::usage, "--plane", name, "must be stress or strain",
                    did_you_mean(name, {"stress", "strain"}));
   return name == "stress" ? exchange::PlaneElement::stress : exchange::PlaneElement::strain;
+}
+
+exchange::ElasticTest test_of(const mpm::Scene& scene) {
+  exchange::ElasticTest test;
+  for (const std::optional<mpm::Phase>& phase : scene.phases) {
+    test.materials.emplace_back();
+    if (phase) test.materials.back() = {phase->young, phase->poisson, phase->density};
+  }
+  if (scene.loading.direction == mpm::Direction::compression) test.strain = -test.strain;
+  test.rough = scene.loading.platen == mpm::Platen::rough;
+  return test;
+}
+
+/// With the materials that phases have where a scene sets none.
+exchange::ElasticTest usual_test(const specimen::Specimen& specimen) {
+  exchange::ElasticTest test;
+  const std::vector<mpm::Phase> usual = Settings().phases;
+  for (const std::string& name : specimen.mask.phases) {
+    test.materials.emplace_back();
+    for (const mpm::Phase& phase : usual)
+      if (phase.name == name) test.materials.back() = {phase.young, phase.poisson, phase.density};
+  }
+  return test;
 }
 
 /// The specimen in a file, or nothing where the file holds a result.
@@ -139,27 +165,56 @@ class ExportCommand : public Command {
     option("--to", format_, "format", one_of(format_names()));
     option("-o,--output", output_, "file, or folder where INPUT is a run [beside INPUT, under its name]",
            file_form());
-    option("--plane", plane_, "inp: elements of plane stress (CPS4) or plane strain (CPE4) [stress]",
+    option("--plane", plane_,
+           "inp: elements of plane stress (CPS4) or plane strain (CPE4) [of a run its own, else stress]",
            one_of({"stress", "strain"}));
+    flag("--mesh-only", mesh_only_, "inp: no materials, and no step");
     json_and_quiet("the files and their format as JSON on standard output");
   }
 
   Exit run(Console& console) override {
     require(input_, "INPUT", "mesopix export INPUT --to inp");
     const ExportFormat& format = format_named(format_);
-    const exchange::PlaneElement plane = plane_of(plane_, format);
-    if (const std::string result_file = result_in(input_); !result_file.empty())
-      return export_run(result_file, console);
+    check_mesh_options(format);
+    const std::string result_file = result_in(input_);
+    if (!result_file.empty() && format.is_mesh) return export_test(format, console);
+    if (!result_file.empty()) return export_run(result_file, console);
     const std::optional<specimen::Specimen> specimen = specimen_in(input_);
     if (!specimen) return export_run(input_, console);
     const std::string output = output_.empty() ? default_output(input_, format) : output_;
     check_output_file(output, input_, format);
-    console.say(format.write({*specimen, output, plane}));
-    tell({output}, console);
+    write(format,
+          {*specimen, output, plane_of(plane_, mpm::Plane::stress), usual_test(*specimen),
+           "a scene that sets none"},
+          console);
     return Exit::ok;
   }
 
  private:
+  void check_mesh_options(const ExportFormat& format) const {
+    if (format.is_mesh) return (void)plane_of(plane_, mpm::Plane::stress);
+    const char* given = !plane_.empty() ? "--plane" : mesh_only_ ? "--mesh-only" : nullptr;
+    if (given != nullptr)
+      throw Rejected(Exit::usage, given, std::string("given with --to ") + format.name,
+                     "belongs to --to inp");
+  }
+
+  void write(const ExportFormat& format, SpecimenExport wanted, Console& console) const {
+    if (mesh_only_ || !format.is_mesh) wanted.test.reset();
+    console.say(format.write(wanted));
+    tell({wanted.path}, console);
+  }
+
+  /// The specimen of a run as it was loaded, elastic.
+  Exit export_test(const ExportFormat& format, Console& console) const {
+    const ReadRun run = read_run(input_);
+    const std::string output = output_.empty() ? (fs::path(input_) / "specimen.inp").string() : output_;
+    check_output_file(output, input_, format);
+    write(format, {run.specimen, output, plane_of(plane_, run.scene.plane), test_of(run.scene), "the run"},
+          console);
+    return Exit::ok;
+  }
+
   void tell(const std::vector<std::string>& files, Console& console) const {
     if (json_) console.out << json_text({{"format", format_}, {"files", files}});
     for (const std::string& file : files) console.say("wrote " + file);
@@ -168,7 +223,7 @@ class ExportCommand : public Command {
   Exit export_run(const std::string& result_file, Console& console) const {
     if (format_ != "tif")
       throw Rejected(Exit::usage, input_, "is a run", "--to " + format_ + " needs a specimen",
-                     "give the specimen, or --to tif for the damage of the run");
+                     "give the specimen, --to tif for the damage of the run, or its folder for --to inp");
     const mpm::Result result = read_result(result_file);
     const double pixel_size = pixel_size_beside(result_file);
     const fs::path folder = folder_of_maps(output_, result_file);
@@ -179,6 +234,7 @@ class ExportCommand : public Command {
   std::string input_;
   std::string format_;
   std::string plane_;
+  bool mesh_only_ = false;
 };
 
 }  // namespace

@@ -24,9 +24,15 @@ std::string mesh_sentence(const exchange::PixelMesh& mesh, const char* sets,
 
 std::string write_inp(const SpecimenExport& wanted) {
   const exchange::PixelMesh mesh(wanted.specimen.mask);
-  exchange::write_abaqus(wanted.path, mesh, wanted.plane);
-  return mesh_sentence(mesh, "element sets", exchange::element_sets(mesh)) +
-         "; give them materials and sections";
+  exchange::write_abaqus(wanted.path, mesh, wanted.plane, wanted.test);
+  std::string sentence = mesh_sentence(mesh, "element sets", exchange::element_sets(mesh));
+  if (!wanted.test) return sentence + "; give them materials and sections";
+  sentence += ", with the elastic materials of " + wanted.of;
+  if (const auto without = exchange::sets_without_material(mesh, *wanted.test); !without.empty())
+    sentence += "; give " + listed(without, "and") + " a material and a section";
+  if (!exchange::can_be_loaded(mesh)) return sentence + "; without a step, as an edge is void throughout";
+  return sentence +
+         fmt::format("; a static step moves the top edge by a strain of {:.6g}", wanted.test->strain);
 }
 
 std::string write_msh(const SpecimenExport& wanted) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,14 +17,16 @@ struct SpecimenExport {
   const specimen::Specimen& specimen;
   std::string path;  ///< of the file to write
   exchange::PlaneElement plane = exchange::PlaneElement::stress;
+  std::optional<exchange::ElasticTest> test = {};  ///< of a mesh; none = nothing but the mesh
+  std::string of = {};                             ///< whose materials these are
 };
 
 /// A format of one file.
 struct ExportFormat {
-  const char* name;         ///< "inp"
-  const char* ending;       ///< of the default name behind that of the specimen: "_labels.png"
-  const char* program;      ///< that reads it
-  bool has_plane_elements;  ///< stress and strain differ
+  const char* name;     ///< "inp"
+  const char* ending;   ///< of the default name behind that of the specimen: "_labels.png"
+  const char* program;  ///< that reads it
+  bool is_mesh;         ///< of elements with a plane, materials and a test
   std::string (*write)(const SpecimenExport&);  ///< writes; returns a sentence about what is in it
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/job/specimen_report.hpp"
+#include "apps/report/key_figures.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/run/run_location.hpp"
 #include "apps/scene/input.hpp"
@@ -33,23 +34,22 @@ constexpr const char* inspect_footer =
 
 Json result_json(const mpm::Result& result) {
   const double strain = result.history.empty() ? 0 : result.history.back().strain;
-  return {{"kind", "result"},
-          {"peak_stress_Pa", result.peak_stress},
-          {"peak_strain", result.peak_strain},
-          {"peak_reached", mpm::peak_reached(result)},
-          {"last_strain", strain},
-          {"stop", output::word_of(result.stop)},
-          {"tension_failures", result.tension_failures},
-          {"shear_failures", result.shear_failures},
-          {"points", result.points},
-          {"steps", result.steps},
-          {"dt_s", result.dt},
-          {"wall_time_s", result.wall_time},
-          {"point_updates_per_second", result.point_updates_per_second()},
-          {"energy_error", result.energy_error},
-          {"instruction_set", result.instruction_set},
-          {"threads", result.threads},
-          {"history_rows", result.history.size()}};
+  Json figures{{"kind", "result"}};
+  figures.update(Json(output::peak_figures(result)));
+  figures.update(Json{{"last_strain", strain},
+                      {"stop", output::word_of(result.stop)},
+                      {"tension_failures", result.tension_failures},
+                      {"shear_failures", result.shear_failures},
+                      {"points", result.points},
+                      {"steps", result.steps},
+                      {"dt_s", result.dt},
+                      {"wall_time_s", result.wall_time},
+                      {"point_updates_per_second", result.point_updates_per_second()},
+                      {"energy_error", result.energy_error},
+                      {"instruction_set", result.instruction_set},
+                      {"threads", result.threads},
+                      {"history_rows", result.history.size()}});
+  return figures;
 }
 
 std::string result_text(const Json& figures) {
@@ -58,7 +58,8 @@ std::string result_text(const Json& figures) {
       "  {} tension and {} shear failures of {} points\n"
       "  {} steps of {:.4g} s in {:.2f} s ({:.0f} million point updates a second, {})\n",
       figures["peak_reached"].get<bool>() ? "peak" : "no peak, largest stress",
-      1e-6 * figures["peak_stress_Pa"].get<double>(), strain_text(figures["peak_strain"].get<double>()),
+      1e-6 * figures["largest_stress_Pa"].get<double>(),
+      strain_text(figures["strain_at_largest_stress"].get<double>()),
       strain_text(figures["last_strain"].get<double>()), figures["stop"].get<std::string>(),
       figures["tension_failures"].get<std::int64_t>(), figures["shear_failures"].get<std::int64_t>(),
       figures["points"].get<std::int64_t>(), figures["steps"].get<std::int64_t>(),

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "apps/command/compared_runs.hpp"
 #include "apps/report/comparison.hpp"
+#include "apps/report/key_figures.hpp"
 #include "apps/run/run_folder.hpp"
 #include "apps/run/run_location.hpp"
 #include "apps/scene/input.hpp"
@@ -27,18 +29,6 @@ constexpr const char* report_footer =
     "  mesopix simulate specimen.h5 --seed 2 -o runs/two\n"
     "  mesopix report runs/one runs/two -o comparison.html";
 
-/// The result of a run that was named by its folder, or by the file itself.
-fs::path result_of(const std::string& run) {
-  switch (kind_of_input(run)) {
-    case InputKind::folder:
-      return fs::path(run) / "result.h5";
-    case InputKind::hdf5:
-      return run;
-    default:
-      throw Rejected(Exit::usage, "RUN", run, "must be the folder of a run, or its result.h5");
-  }
-}
-
 /// The folder that a run has written.
 fs::path folder_of(const std::string& run) {
   const fs::path result = result_of(run);
@@ -47,30 +37,10 @@ fs::path folder_of(const std::string& run) {
   return result.has_parent_path() ? result.parent_path() : fs::path(".");
 }
 
-/// The folder of each run by its last part; the whole path where that is not enough to tell them apart.
-std::vector<std::string> names_of(const std::vector<std::string>& runs) {
-  std::vector<std::string> names;
-  for (const std::string& run : runs) {
-    const fs::path folder = fs::absolute(result_of(run)).lexically_normal().parent_path();
-    names.push_back(folder.filename().string());
-  }
-  const std::vector<std::string> short_names = names;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (std::count(short_names.begin(), short_names.end(), short_names[i]) > 1) names[i] = runs[i];
-  return names;
-}
-
 void check(const std::vector<std::string>& runs) {
   if (runs.empty())
     throw Rejected(Exit::usage, "RUN", "none given", "must be one run at least",
                    "mesopix report RUN, or RUN RUN to lay two over each other");
-  if (runs.size() > output::most_compared_runs)
-    throw Rejected(Exit::usage, "RUN", std::to_string(runs.size()) + " given",
-                   "must be " + std::to_string(output::most_compared_runs) +
-                       " runs at most: more lines cannot be told apart");
-  for (const std::string& run : runs)
-    if (std::count(runs.begin(), runs.end(), run) > 1)
-      throw Rejected(Exit::usage, "RUN", run, "must not be given twice");
 }
 
 nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& runs,
@@ -78,13 +48,13 @@ nlohmann::ordered_json comparison_json(const std::vector<output::ComparedRun>& r
                                        const std::string& page) {
   nlohmann::ordered_json json{
       {"files", {page}}, {"runs", nlohmann::json::array()}, {"differences", nlohmann::json::object()}};
-  for (const output::ComparedRun& run : runs)
-    json["runs"].push_back({{"name", run.name},
-                            {"peak_stress_Pa", run.result.peak_stress},
-                            {"peak_strain", run.result.peak_strain},
-                            {"peak_reached", mpm::peak_reached(run.result)},
-                            {"tension_failures", run.result.tension_failures},
-                            {"shear_failures", run.result.shear_failures}});
+  for (const output::ComparedRun& run : runs) {
+    nlohmann::ordered_json figures{{"name", run.name}};
+    figures.update(nlohmann::ordered_json(output::peak_figures(run.result)));
+    figures["tension_failures"] = run.result.tension_failures;
+    figures["shear_failures"] = run.result.shear_failures;
+    json["runs"].push_back(std::move(figures));
+  }
   for (const output::ComparedSetting& setting : settings) json["differences"][setting.key] = setting.values;
   return json;
 }
@@ -104,15 +74,9 @@ class ReportCommand : public Command {
   Exit run(Console& console) override {
     check(runs_);
     if (runs_.size() == 1) return restore(console);
-    const std::vector<std::string> names = names_of(runs_);
-    std::vector<output::ComparedRun> compared;
+    const std::vector<output::ComparedRun> compared = read_compared(runs_);
     std::vector<std::string> scenes;
-    for (std::size_t i = 0; i < runs_.size(); ++i) {
-      const std::string path = result_of(runs_[i]).string();
-      if (fs::path(path).filename() == "result.h5") check_one_run(fs::path(path).parent_path().string());
-      compared.push_back({names[i], read_result(path)});
-      scenes.push_back(read_scene_text(path));
-    }
+    for (const std::string& run : runs_) scenes.push_back(read_scene_text(result_of(run).string()));
     std::vector<output::ComparedSetting> settings;
     for (SceneDifference& one : scene_differences(scenes))
       settings.push_back({std::move(one.key), std::move(one.values)});

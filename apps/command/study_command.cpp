@@ -71,7 +71,9 @@ class StudyCommand : public Command {
 
   Exit run(Console& console) override {
     check_options();
-    (void)workers();
+    const Workers workers = this->workers();
+    workers_ = workers.count;
+    if (!workers.note.empty()) console.say("note: " + workers.note);
     (void)until_ci();
     const Study study = read_study(input_.file());
     if (!until_ci_.empty() && study.plan.seeds.empty())
@@ -79,13 +81,18 @@ class StudyCommand : public Command {
                      "write seeds = 10 into " + input_.file());
     const std::vector<Member> all = list_members(study);
     const std::vector<Member> members = members_.empty() ? all : wanted(all);
-    check_scenes(study, members);
+    const CheckedScenes checked = check_scenes(study, members);
+    for (const std::string& doubt : checked.doubts) console.warn(doubt);
     if (const std::string note = note_of_left_out(study.base.origins, *members.front().settings);
         !note.empty())
       console.say("note: " + note);
     input_.folder().open(study, all);
     if (retry_)
       for (const Member& member : members) input_.folder().forget_failure(member);
+    if (!console.quiet)
+      if (const std::string length = announcement(input_.folder(), members, checked.sizes, workers_);
+          !length.empty())
+        console.say(length);
     return members_.empty() ? run_whole(study, members, console) : run_part(study, members, console);
   }
 
@@ -96,8 +103,9 @@ class StudyCommand : public Command {
       throw Rejected(Exit::usage, "--until-ci", "given with --members", "", "give one of the two");
   }
 
-  [[nodiscard]] int workers() const {
-    return jobs_.empty() ? core_count() : read_option("jobs", jobs_, IntegerCodec<>{between(1, 1024)});
+  [[nodiscard]] Workers workers() const {
+    if (jobs_.empty()) return {core_count(), ""};
+    return workers_within_cores(read_option("jobs", jobs_, IntegerCodec<>{between(1, 1024)}), "--jobs");
   }
 
   /// That goes on with the study.
@@ -127,7 +135,7 @@ class StudyCommand : public Command {
   [[nodiscard]] StudyTally work(const Study& study, const std::vector<Member>& members,
                                 const InterruptGuard& guard, Console& console) const {
     TerminalLine line(console);
-    return run_members(study, input_.folder(), members, workers(),
+    return run_members(study, input_.folder(), members, workers_,
                        {[&](const StudyTally& tally) { line.show(study_text(tally, line.elapsed())); },
                         [&] { return !guard.interrupted(); }});
   }
@@ -185,6 +193,7 @@ class StudyCommand : public Command {
   std::string members_;
   std::string jobs_;
   std::string until_ci_;
+  int workers_ = 1;
   bool retry_ = false;
 };
 

@@ -85,7 +85,7 @@ class StudySubmitCommand : public Command {
     (void)chunk(1);
     (void)cpus();
     const OpenStudy open = open_study(input_);
-    check_scenes(open.study, open.members);
+    for (const std::string& doubt : check_scenes(open.study, open.members).doubts) console.warn(doubt);
     const SlurmJob wanted = job(open);
     if (wanted.tasks.empty()) {
       tell(wanted, "", "", console);

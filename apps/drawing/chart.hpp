@@ -49,10 +49,12 @@ struct Chart {
   Axis y;
   std::vector<Series> series;  ///< more than one: a legend is drawn
   std::vector<Marker> markers;
+  bool has_legend = true;
 };
 
 /// Lay a chart out in a width and height [px]. A line with more points than can be seen is thinned to the
 /// first, last, lowest and highest of each half column of pixels, which leaves its picture as it was.
-[[nodiscard]] Drawing lay_out(const Chart& chart, double width, double height);
+/// @param text  size of the words over the usual one, 13 px.
+[[nodiscard]] Drawing lay_out(const Chart& chart, double width, double height, double text = 1);
 
 }  // namespace output

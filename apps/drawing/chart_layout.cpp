@@ -11,19 +11,20 @@
 namespace output {
 namespace {
 
-constexpr double text_size = 13;
-constexpr double line_height = 20;
 constexpr double sample_length = 18;  ///< of the line beside a name in the legend
 constexpr double edge = 2;            ///< kept free all round
 
+double text_size(const Drawing& drawing) { return 13 * drawing.text; }
+double line_height(const Drawing& drawing) { return 20 * drawing.text; }
+
 /// As wide as DejaVu Sans, the widest of the usual sans-serif faces, so that nothing is cut in another one.
-double text_width(const std::string& text) {
+double text_width(const Drawing& drawing, const std::string& text) {
   double width = 0;
   for (const char c : text) {
     const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // of a UTF-8 sequence
     width += continues ? 0 : c >= '0' && c <= '9' ? 0.64 : 0.58;
   }
-  return width * text_size;
+  return width * text_size(drawing);
 }
 
 struct Range {
@@ -111,14 +112,14 @@ struct LegendPlace {
 };
 
 /// Names in rows that fill the width; none for a single line.
-std::vector<LegendPlace> legend_of(const std::vector<Series>& series, double width, double first_base_line) {
+std::vector<LegendPlace> legend_of(const Drawing& drawing, const std::vector<Series>& series) {
   std::vector<LegendPlace> entries;
   if (series.size() < 2) return entries;
-  Place at{edge, first_base_line};
+  Place at{edge, 2 * line_height(drawing)};
   for (const Series& line : series) {
     if (line.name.empty()) continue;
-    const double entry_width = sample_length + 6 + text_width(line.name);
-    if (at.x > edge && at.x + entry_width > width) at = {edge, at.y + line_height};
+    const double entry_width = sample_length + 6 + text_width(drawing, line.name);
+    if (at.x > edge && at.x + entry_width > drawing.width) at = {edge, at.y + line_height(drawing)};
     entries.push_back({&line, at});
     at.x += entry_width + 14;
   }
@@ -131,14 +132,14 @@ std::string title_of(const Axis& axis) {
 
 void draw_legend(Drawing& drawing, const std::vector<LegendPlace>& entries) {
   for (const LegendPlace& entry : entries) {
-    const double middle = entry.at.y - 0.35 * text_size;
+    const double middle = entry.at.y - 0.35 * text_size(drawing);
     drawing.shapes.emplace_back(Stroke{{{entry.at.x, middle}, {entry.at.x + sample_length, middle}},
                                        entry.series->ink,
                                        2,
                                        entry.series->dashed});
     drawing.shapes.emplace_back(Words{{entry.at.x + sample_length + 6, entry.at.y},
                                       entry.series->name,
-                                      text_size,
+                                      text_size(drawing),
                                       Anchor::start,
                                       Ink::text});
   }
@@ -149,8 +150,11 @@ void draw_y_axis(Drawing& drawing, const Frame& frame, const std::vector<Tick>& 
     const double y = frame.place(frame.x.low, tick.at).y;
     drawing.shapes.emplace_back(
         Stroke{{{frame.left, y}, {frame.right, y}}, tick.is_zero ? Ink::axis : Ink::grid, 1});
-    drawing.shapes.emplace_back(
-        Words{{frame.left - 8, y + 0.35 * text_size}, tick.text, text_size, Anchor::end, Ink::muted});
+    drawing.shapes.emplace_back(Words{{frame.left - 8, y + 0.35 * text_size(drawing)},
+                                      tick.text,
+                                      text_size(drawing),
+                                      Anchor::end,
+                                      Ink::muted});
   }
 }
 
@@ -161,15 +165,18 @@ void draw_x_axis(Drawing& drawing, const Frame& frame, const std::vector<Tick>& 
   for (const Tick& tick : ticks) {
     const double x = frame.place(tick.at, frame.y.low).x;
     drawing.shapes.emplace_back(Stroke{{{x, frame.bottom}, {x, frame.bottom + 5}}, Ink::axis, 1});
-    drawing.shapes.emplace_back(
-        Words{{x, frame.bottom + 5 + 1.1 * text_size}, tick.text, text_size, Anchor::middle, Ink::muted});
+    drawing.shapes.emplace_back(Words{{x, frame.bottom + 5 + 1.1 * text_size(drawing)},
+                                      tick.text,
+                                      text_size(drawing),
+                                      Anchor::middle,
+                                      Ink::muted});
   }
-  drawing.shapes.emplace_back(
-      Words{{(frame.left + frame.right) / 2, frame.bottom + 5 + 1.1 * text_size + line_height},
-            title,
-            text_size,
-            Anchor::middle,
-            Ink::text});
+  drawing.shapes.emplace_back(Words{
+      {(frame.left + frame.right) / 2, frame.bottom + 5 + 1.1 * text_size(drawing) + line_height(drawing)},
+      title,
+      text_size(drawing),
+      Anchor::middle,
+      Ink::text});
 }
 
 void draw_series(Drawing& drawing, const Frame& frame, const Series& series) {
@@ -187,28 +194,29 @@ void draw_series(Drawing& drawing, const Frame& frame, const Series& series) {
 void draw_marker(Drawing& drawing, const Frame& frame, const Marker& marker) {
   if (!std::isfinite(marker.x) || !std::isfinite(marker.y)) return;
   const Place at = frame.place(marker.x, marker.y);
-  const bool fits = at.x + 10 + text_width(marker.text) <= drawing.width;
+  const bool fits = at.x + 10 + text_width(drawing, marker.text) <= drawing.width;
   drawing.shapes.emplace_back(Dot{at, 4, Ink::text});
   if (marker.text.empty()) return;
   drawing.shapes.emplace_back(Words{{at.x + (fits ? 10 : -10), at.y - 8},
                                     marker.text,
-                                    text_size,
+                                    text_size(drawing),
                                     fits ? Anchor::start : Anchor::end,
                                     Ink::text});
 }
 
-double widest(const std::vector<Tick>& ticks) {
+double widest(const Drawing& drawing, const std::vector<Tick>& ticks) {
   double width = 0;
-  for (const Tick& tick : ticks) width = std::max(width, text_width(tick.text));
+  for (const Tick& tick : ticks) width = std::max(width, text_width(drawing, tick.text));
   return width;
 }
 
 }  // namespace
 
-Drawing lay_out(const Chart& in_units, double width, double height) {
+Drawing lay_out(const Chart& in_units, double width, double height, double text) {
   const Chart chart = in_scale(in_units);
-  Drawing drawing{width, height, chart.title, {}};
-  const std::vector<LegendPlace> legend = legend_of(chart.series, width, 2 * line_height);
+  Drawing drawing{width, height, chart.title, {}, text};
+  const std::vector<LegendPlace> legend =
+      chart.has_legend ? legend_of(drawing, chart.series) : std::vector<LegendPlace>();
 
   Frame frame;
   const bool has_words = std::any_of(chart.markers.begin(), chart.markers.end(),
@@ -216,17 +224,17 @@ Drawing lay_out(const Chart& in_units, double width, double height) {
   frame.x = range_of(chart.x, chart.series, &Series::x);
   if (chart.x.logarithmic || chart.x.tight) frame.x = with_headroom(chart.x, frame.x, false);
   frame.y = with_headroom(chart.y, range_of(chart.y, chart.series, &Series::y), has_words);
-  frame.top = (legend.empty() ? line_height : legend.back().at.y) + 0.6 * line_height;
-  frame.bottom = height - 5 - 1.1 * text_size - 1.35 * line_height;
-  const std::vector<Tick> y_ticks =
-      ticks_of(chart.y, frame.y, std::clamp(static_cast<int>((frame.bottom - frame.top) / 32), 2, 8));
-  frame.left = edge + widest(y_ticks) + 8;
+  frame.top = (legend.empty() ? line_height(drawing) : legend.back().at.y) + 0.6 * line_height(drawing);
+  frame.bottom = height - 5 - 1.1 * text_size(drawing) - 1.35 * line_height(drawing);
+  const std::vector<Tick> y_ticks = ticks_of(
+      chart.y, frame.y, std::clamp(static_cast<int>((frame.bottom - frame.top) / (32 * text)), 2, 8));
+  frame.left = edge + widest(drawing, y_ticks) + 8;
   const std::vector<Tick> x_ticks =
-      ticks_of(chart.x, frame.x, std::clamp(static_cast<int>(width / 75), 2, 12));
-  frame.right = width - edge - widest(x_ticks) / 2;
+      ticks_of(chart.x, frame.x, std::clamp(static_cast<int>(width / (75 * text)), 2, 12));
+  frame.right = width - edge - widest(drawing, x_ticks) / 2;
 
-  drawing.shapes.emplace_back(
-      Words{{edge, line_height - 5}, title_of(chart.y), text_size, Anchor::start, Ink::text});
+  drawing.shapes.emplace_back(Words{
+      {edge, line_height(drawing) - 5}, title_of(chart.y), text_size(drawing), Anchor::start, Ink::text});
   draw_legend(drawing, legend);
   draw_y_axis(drawing, frame, y_ticks);
   draw_x_axis(drawing, frame, x_ticks, title_of(chart.x));

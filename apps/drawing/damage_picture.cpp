@@ -32,8 +32,10 @@ DamageStage stage_at(const mpm::Result& result, int percent) {
 
 DamageStages damage_stages(const mpm::Result& result) {
   DamageStages stages;
-  const bool has_peak = std::isfinite(result.peak_strain) && result.peak_strain > 0;
-  stages.reached = has_peak ? largest_strain(result) / result.peak_strain : 0;
+  stages.of_peak = mpm::peak_reached(result);
+  stages.of = reference_strain(result);
+  const bool was_loaded = std::isfinite(result.peak_strain) && result.peak_strain > 0;
+  stages.reached = was_loaded ? largest_strain(result) / result.peak_strain : 0;
   for (const int percent : stage_percents)
     if (percent <= 100 * stages.reached * (1 + 1e-6))  // the last row may miss a round strain by round-off
       stages.drawn.push_back(stage_at(result, percent));
@@ -44,11 +46,11 @@ DamageStages damage_stages(const mpm::Result& result) {
 
 std::string missing_note(const DamageStages& stages) {
   if (stages.missing.empty()) return "";
-  if (stages.reached == 0) return "The run has no peak stress, so no picture of damage was drawn.";
+  if (stages.reached == 0) return "No stress rose above 0, so no picture of damage was drawn.";
   std::vector<std::string> percents;
   for (const int percent : stages.missing) percents.push_back(fmt::format("{} %", percent));
-  return fmt::format("The run ended at {:.0f} % of the peak strain: there is no picture of damage at {}.",
-                     std::floor(100 * stages.reached * (1 + 1e-6)), app::listed(percents, "and"));
+  return fmt::format("The run ended at {:.0f} % of {}: there is no picture of damage at {}.",
+                     std::floor(100 * stages.reached * (1 + 1e-6)), stages.of, app::listed(percents, "and"));
 }
 
 std::string picture_name(int percent, bool colour) {
@@ -154,13 +156,13 @@ std::vector<LegendEntry> legend_of(const specimen::LabelledMask& mask, const mpm
 }  // namespace
 
 Drawing damage_drawing(const specimen::LabelledMask& mask, const mpm::Result& result, double strain,
-                       const Palette& palette, const std::string& words) {
-  Drawing drawing{picture_width, 0, words, {}};
+                       const Palette& palette, const std::string& words, double text) {
+  Drawing drawing{picture_width, 0, words, {}, text};
   const int factor = crisp_factor(mask.labels.rows, mask.labels.cols);
-  double y =
-      add_picture(drawing, magnified(damage_picture(mask, result, strain, palette), factor)) + text_line;
-  add_scale_bar(drawing, picture_width / mask.width(), y, words);
-  y = add_legend(drawing, legend_of(mask, result, strain, palette), y + text_line + 6);
+  double y = add_picture(drawing, magnified(damage_picture(mask, result, strain, palette), factor)) +
+             text_line * text;
+  y = add_scale_bar(drawing, picture_width / mask.width(), y, words);
+  y = add_legend(drawing, legend_of(mask, result, strain, palette), y + text_line * text + 6);
   drawing.height = y + 6;
   return drawing;
 }

@@ -15,11 +15,11 @@
 
 namespace output {
 
-/// Where pictures are taken [% of the peak strain].
+/// Where pictures are taken [% of the strain at the largest stress].
 inline constexpr std::array stage_percents{25, 50, 75, 100, 125, 150};
 
 struct DamageStage {
-  int percent = 0;           ///< of the peak strain
+  int percent = 0;           ///< of the strain at the largest stress
   double strain = 0;         ///< of the platens [-]
   std::int64_t tension = 0;  ///< pixels whose point had failed in tension by then
   std::int64_t shear = 0;    ///< the same in shear; ones crushed after cracking count in both
@@ -28,10 +28,12 @@ struct DamageStage {
 struct DamageStages {
   std::vector<DamageStage> drawn;  ///< those that the run reached
   std::vector<int> missing;        ///< those that it did not [%]
-  double reached = 0;              ///< largest strain over the peak strain [-]
+  double reached = 0;              ///< largest strain over that at the largest stress [-]
+  bool of_peak = false;            ///< the largest stress is a peak
+  const char* of = "";             ///< reference_strain()
 };
 
-/// Stages of a run; none are drawn where there is no peak strain.
+/// Stages of a run; none are drawn where no stress rose above 0.
 [[nodiscard]] DamageStages damage_stages(const mpm::Result& result);
 
 /// One sentence about the stages that are missing; empty when none is.
@@ -74,8 +76,9 @@ struct Palette {
                                                       const Palette& palette);
 
 /// Damage at a platen strain [-], with a scale bar, a legend of what is in it, and a line of words below.
-/// @pre as damage_picture.
+/// @param text  size of the words over the usual one.   @pre as damage_picture.
 [[nodiscard]] Drawing damage_drawing(const specimen::LabelledMask& mask, const mpm::Result& result,
-                                     double strain, const Palette& palette, const std::string& words);
+                                     double strain, const Palette& palette, const std::string& words,
+                                     double text = 1);
 
 }  // namespace output

@@ -66,6 +66,7 @@ struct Drawing {
   double height = 0;
   std::string title;
   std::vector<Shape> shapes;  ///< later ones lie on top
+  double text = 1;            ///< size of the words over the usual one
 };
 
 }  // namespace output

@@ -3,6 +3,7 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <fmt/format.h>
+#include <zlib.h>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -140,9 +141,25 @@ std::string encode(cairo_surface_t* surface) {
   return bytes;
 }
 
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(value >> shift & 0xffU);
+  return bytes;
+}
+
+/// With a chunk pHYs behind the header of a PNG, which the drawing library does not write.
+std::string with_resolution(std::string png, double per_inch) {
+  if (!(per_inch > 0)) return png;
+  constexpr std::size_t header = 8 + 4 + 4 + 13 + 4;  // signature; length, IHDR, data, checksum
+  const std::string per_metre = big_endian(static_cast<std::uint32_t>(std::lround(per_inch / 0.0254)));
+  const std::string chunk = "pHYs" + per_metre + per_metre + '\1';
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size()));
+  return png.insert(header, big_endian(9) + chunk + big_endian(static_cast<std::uint32_t>(sum)));
+}
+
 }  // namespace
 
-std::string png_of(const Drawing& drawing, double scale, double margin) {
+std::string png_of(const Drawing& drawing, double scale, double margin, double per_inch) {
   const Surface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                  static_cast<int>(std::lround(scale * (drawing.width + 2 * margin))),
@@ -150,15 +167,14 @@ std::string png_of(const Drawing& drawing, double scale, double margin) {
       cairo_surface_destroy);
   require(cairo_surface_status(surface.get()));
   draw(surface.get(), drawing, scale, margin);
-  return encode(surface.get());
+  return with_resolution(encode(surface.get()), per_inch);
 }
 
 std::string png_of(const specimen::Raster<specimen::Rgb>& picture) {
   return encode(surface_of(picture).get());
 }
 
-std::string vector_file(const Drawing& drawing, VectorFormat format, double margin) {
-  constexpr double points_per_px = 0.75;
+std::string vector_file(const Drawing& drawing, VectorFormat format, double margin, double points_per_px) {
   const double width = points_per_px * (drawing.width + 2 * margin);
   const double height = points_per_px * (drawing.height + 2 * margin);
   std::string bytes;

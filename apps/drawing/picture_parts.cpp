@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "apps/text/figures.hpp"
@@ -54,7 +55,12 @@ int shrink_factor(int rows, int cols, int most) { return (std::max(rows, cols) +
 
 namespace {
 
-constexpr double letters = 8;  // width of one, generously
+constexpr double letters = 8;  // width of one of the usual size, generously
+
+double width_of(const Drawing& drawing, const std::string& words) {
+  const auto is_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };  // of UTF-8
+  return letters * drawing.text * static_cast<double>(std::count_if(words.begin(), words.end(), is_letter));
+}
 
 /// Largest length of 1, 2 or 5 times a power of ten [m] that is at most `most`.
 double round_length(double most) {
@@ -79,23 +85,50 @@ double add_picture(Drawing& drawing, specimen::Raster<specimen::Rgb> picture) {
   return height;
 }
 
-void add_scale_bar(Drawing& drawing, double px_per_metre, double y, const std::string& words) {
+double add_scale_bar(Drawing& drawing, double px_per_metre, double y, const std::string& words) {
   const double length = round_length(0.25 * picture_width / px_per_metre);
-  drawing.shapes.push_back(Stroke{{{0, y}, {length * px_per_metre, y}}, Ink::text, 3});
-  drawing.shapes.push_back(Words{{length * px_per_metre + 8, y + 5}, concise(1e3 * length) + " mm", 14});
-  drawing.shapes.push_back(Words{{picture_width, y + 5}, words, 14, Anchor::end});
+  const double size = 14 * drawing.text, bar = length * px_per_metre;
+  const std::string what = concise(1e3 * length) + " mm";
+  drawing.shapes.push_back(Stroke{{{0, y}, {bar, y}}, Ink::text, 3});
+  drawing.shapes.push_back(Words{{bar + 8, y + 5 * drawing.text}, what, size});
+  const double usual = 7.0 / letters;  // of words of the usual kind, which may come close to the bar
+  const bool beside = bar + 8 + usual * (width_of(drawing, what) + width_of(drawing, words)) <= picture_width;
+  if (!beside) return add_words(drawing, words, y + (text_line + 5) * drawing.text, size) - 5 * drawing.text;
+  drawing.shapes.push_back(Words{{picture_width, y + 5 * drawing.text}, words, size, Anchor::end});
+  return y;
+}
+
+double add_words(Drawing& drawing, const std::string& words, double y, double size, Ink ink) {
+  const auto put = [&](const std::string& line) {
+    drawing.shapes.push_back(Words{{0, y}, line, size, Anchor::start, ink});
+  };
+  std::string line, word;
+  std::istringstream rest(words);
+  while (rest >> word) {
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (line.empty() || 0.95 * width_of(drawing, longer) <= picture_width) {
+      line = longer;
+      continue;
+    }
+    put(line);
+    y += 1.4 * size;
+    line = word;
+  }
+  put(line);
+  return y;
 }
 
 double add_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, double y) {
   double x = 0;
   for (const LegendEntry& entry : entries) {
-    const double width = 22 + letters * static_cast<double>(entry.name.size()) + 12;
+    const double width = (22 + letters * static_cast<double>(entry.name.size()) + 12) * drawing.text;
     if (x > 0 && x + width > picture_width) {
       x = 0;
-      y += text_line;
+      y += text_line * drawing.text;
     }
-    drawing.shapes.push_back(Block{{x, y - 11}, 14, 14, entry.colour, true});
-    drawing.shapes.push_back(Words{{x + 22, y + 1}, entry.name, 14});
+    const double side = 14 * drawing.text;
+    drawing.shapes.push_back(Block{{x, y - side + 3}, side, side, entry.colour, true});
+    drawing.shapes.push_back(Words{{x + side + 8, y + 1}, entry.name, side});
     x += width;
   }
   return y;

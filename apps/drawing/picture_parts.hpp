@@ -25,7 +25,7 @@ namespace output {
 [[nodiscard]] int shrink_factor(int rows, int cols, int most);
 
 inline constexpr double picture_width = 480;  ///< of a specimen on a drawing [px]
-inline constexpr double text_line = 22;       ///< from line to line [px]
+inline constexpr double text_line = 22;       ///< from line to line of words of the usual size [px]
 
 /// Whole factor that gives a picture so many pixels that viewers which smooth pictures leave sharp edges; for
 /// the sake of memory no more than 8000 rows of them, unless it has more itself.
@@ -35,9 +35,14 @@ inline constexpr double text_line = 22;       ///< from line to line [px]
 /// @return its height on the drawing [px].
 double add_picture(Drawing& drawing, specimen::Raster<specimen::Rgb> picture);
 
-/// A bar of a round length with what it is, and a line of words at the other end.
-/// @param px_per_metre  of the specimen.   @param y  of the bar.
-void add_scale_bar(Drawing& drawing, double px_per_metre, double y, const std::string& words);
+/// A bar of a round length with what it is, and a line of words at the other end, or below where both do not
+/// fit beside each other.
+/// @param px_per_metre  of the specimen.   @param y  of the bar.   @return y of the last line.
+double add_scale_bar(Drawing& drawing, double px_per_metre, double y, const std::string& words);
+
+/// Words from the left edge on, in as many lines as they need, the first of them at y.
+/// @param size  [px].   @return y of the last line.
+double add_words(Drawing& drawing, const std::string& words, double y, double size, Ink ink = Ink::text);
 
 /// A colour of the picture and what it is.
 struct LegendEntry {

@@ -84,37 +84,37 @@ Area pointed(double from, double to, double top, specimen::Rgb colour) {
 }
 
 /// As many as there is room for, so that the ends have one where they are round.
-Ticks ticks_of(const ColourScale& scale) {
-  for (int most = 11; most >= 3; --most) {
+Ticks ticks_of(const ColourScale& scale, double text) {
+  for (int most = std::max(3, static_cast<int>(11 / text)); most >= 3; --most) {
     const Ticks ticks = ticks_between(scale.low, scale.high, most);
     const double slack = 1e-6 * ticks.step;
     if (!ticks.values.empty() && ticks.values.front() - scale.low < slack &&
         scale.high - ticks.values.back() < slack)
       return ticks;
   }
-  return ticks_between(scale.low, scale.high, 9);
+  return ticks_between(scale.low, scale.high, std::max(3, static_cast<int>(9 / text)));
 }
 
 void add_ticks(Drawing& drawing, const ColourScale& scale, double y) {
-  const Ticks ticks = ticks_of(scale);
+  const Ticks ticks = ticks_of(scale, drawing.text);
   for (const double value : ticks.values) {
     const double x = left + (value - scale.low) / (scale.high - scale.low) * (right - left);
     drawing.shapes.push_back(Stroke{{{x, y}, {x, y + 5}}, Ink::axis, 1});
-    drawing.shapes.push_back(Words{{x, y + 19}, tick_text(value, ticks.step), 13, Anchor::middle});
+    drawing.shapes.push_back(Words{
+        {x, y + 6 + 13 * drawing.text}, tick_text(value, ticks.step), 13 * drawing.text, Anchor::middle});
   }
 }
 
 }  // namespace
 
 double add_colour_bar(Drawing& drawing, const ColourBar& bar, double y) {
-  const double top = y + 9;
-  drawing.shapes.push_back(Words{{0, y}, bar.title, 14});
+  const double top = add_words(drawing, bar.title, y, 14 * drawing.text) + 9;
   drawing.shapes.push_back(Pixels{{left, top}, right - left, thickness, gradient(bar.scale)});
   if (bar.more_below) drawing.shapes.push_back(pointed(left, left - point, top, bar.scale(bar.scale.low)));
   if (bar.more_above) drawing.shapes.push_back(pointed(right, right + point, top, bar.scale(bar.scale.high)));
   drawing.shapes.push_back(Stroke{outline(bar, top), Ink::axis, 0.75});
   add_ticks(drawing, bar.scale, top + thickness);
-  return top + thickness + 19;
+  return top + thickness + 6 + 13 * drawing.text;
 }
 
 namespace {
@@ -223,17 +223,17 @@ Drawing stress_drawing(const LabelledMask& mask, const mpm::Frame& frame, const 
   const ColourScale scale = look.range ? *look.range : scale_of(values);
   const Beyond ends = beyond(values, scale);
   const Raster<std::int32_t> points = points_of(mask, frame, look.moved);
-  Drawing drawing{picture_width, 0, title_of(look) + "; " + look.words, {}};
-  double y = add_picture(drawing, picture_of(points, frame, look.component, scale)) + text_line;
+  Drawing drawing{picture_width, 0, title_of(look) + "; " + look.words, {}, look.text};
+  const double line = text_line * look.text;
+  double y = add_picture(drawing, picture_of(points, frame, look.component, scale)) + line;
   const double metres = points.cols * mask.pixel_size / crisp_factor(mask.labels.rows, mask.labels.cols);
-  add_scale_bar(drawing, picture_width / metres, y, look.words);
-  y = add_colour_bar(drawing, {scale, title_of(look), ends.below > 0, ends.above > 0}, y + 1.5 * text_line);
+  y = add_scale_bar(drawing, picture_width / metres, y, look.words);
+  y = add_colour_bar(drawing, {scale, title_of(look), ends.below > 0, ends.above > 0}, y + 1.5 * line);
   if (const std::string words = words_of(ends); !words.empty()) {
-    y += text_line;
-    drawing.shapes.push_back(Words{{0, y}, words, 13, Anchor::start, Ink::muted});
+    y = add_words(drawing, words, y + line, 13 * look.text, Ink::muted);
   }
   const std::vector<LegendEntry> legend = legend_of(points, frame, look.moved);
-  if (!legend.empty()) y = add_legend(drawing, legend, y + text_line + 4);
+  if (!legend.empty()) y = add_legend(drawing, legend, y + line + 4);
   drawing.height = y + 6;
   return drawing;
 }

@@ -39,6 +39,7 @@ struct StressLook {
   bool moved = false;                     ///< points are drawn where they are, else in their pixels
   std::optional<ColourScale> range = {};  ///< [MPa]; none = that of scale_of()
   std::string words = {};                 ///< below the picture
+  double text = 1;                        ///< size of all words over the usual one
 };
 
 /// The points of the pixels in the colours of their stress, failed ones (damage 1) in black, and white where

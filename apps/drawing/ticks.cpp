@@ -127,11 +127,15 @@ double largest_strain(const mpm::Result& result) {
 
 StrainUnit strain_unit(const mpm::Result& result) { return strain_unit(largest_strain(result)); }
 
+const char* reference_strain(const mpm::Result& result) {
+  return mpm::peak_reached(result) ? "the peak strain" : "the strain at the largest stress, which is no peak";
+}
+
 std::string strain_words(const mpm::Result& result, double strain, int decimals) {
   const StrainUnit unit = strain_unit(result);
   std::string words = rounded(unit.per_strain * strain) + " " + unit.name;
   if (result.peak_strain > 0)
-    words += ", " + percent(strain / result.peak_strain, decimals) + " of the peak strain";
+    words += ", " + percent(strain / result.peak_strain, decimals) + " of " + reference_strain(result);
   return words;
 }
 

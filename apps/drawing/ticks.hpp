@@ -50,6 +50,10 @@ struct StrainUnit {
 /// For all strains of a run: that of the largest one.
 [[nodiscard]] StrainUnit strain_unit(const mpm::Result& result);
 
+/// What shares of Result::peak_strain are shares of: "the peak strain", or "the strain at the largest stress,
+/// which is no peak".
+[[nodiscard]] const char* reference_strain(const mpm::Result& result);
+
 /// "118 microstrain, 82 % of the peak strain"; without the share where the run has no peak.
 /// @param decimals  of the share.
 [[nodiscard]] std::string strain_words(const mpm::Result& result, double strain, int decimals);

@@ -44,10 +44,11 @@ void write_elements(TextStream& file, const PixelMesh& mesh, const MeshPhase& ph
   });
 }
 
+/// @param sets  that get no material below.
 void write_heading(TextStream& file, const PixelMesh& mesh, const std::vector<std::string>& sets) {
-  file << "*HEADING\n"
-       << words_on(mesh, "** ")
-       << "** Before an analysis, give every element set a material and a section, for instance:\n";
+  file << "*HEADING\n" << words_on(mesh, "** ");
+  if (sets.empty()) return;
+  file << "** Before an analysis, give these element sets a material and a section, for instance:\n";
   for (const std::string& set : sets)
     file << fmt::format("**   *MATERIAL, NAME=M_{0}\n**   *SOLID SECTION, ELSET={0}, MATERIAL=M_{0}\n", set);
 }
@@ -71,17 +72,68 @@ void write_node_set(TextStream& file, Edge edge, const std::vector<std::int64_t>
 
 std::vector<std::string> element_sets(const PixelMesh& mesh) { return set_names(phase_names(mesh)); }
 
-void write_abaqus(const std::string& path, const PixelMesh& mesh, PlaneElement plane) {
+namespace {
+
+using Material = ElasticTest::Material;
+
+const Material* material_of(const ElasticTest& test, const MeshPhase& phase) {
+  if (phase.label >= test.materials.size() || !test.materials[phase.label]) return nullptr;
+  return &*test.materials[phase.label];
+}
+
+void write_materials(TextStream& file, const PixelMesh& mesh, const std::vector<std::string>& sets,
+                     const ElasticTest& test) {
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    if (const Material* material = material_of(test, mesh.phases()[k]); material != nullptr)
+      file << fmt::format(
+          "*MATERIAL, NAME=M_{0}\n*ELASTIC\n{1:.10g}, {2:.10g}\n*DENSITY\n{3:.10g}\n"
+          "*SOLID SECTION, ELSET={0}, MATERIAL=M_{0}\n1.\n",
+          sets[k], material->young, material->poisson, material->density);
+}
+
+/// The bottom is held and the top moved; smooth platens hold one node alone sideways.
+void write_step(TextStream& file, const PixelMesh& mesh, const ElasticTest& test) {
+  const double moved = test.strain * mesh.mask().height();
+  file << "** The top edge is moved by a strain of " << fmt::format("{:.6g}", test.strain)
+       << " over the height; the sum of the reactions, over the width, is the stress.\n*BOUNDARY\n"
+       << "BOTTOM, 2, 2\n";
+  if (test.rough)
+    file << "BOTTOM, 1, 1\nTOP, 1, 1\n";
+  else
+    file << mesh.nodes_on(Edge::bottom).front() << ", 1, 1\n";
+  file << "*STEP\n*STATIC\n*BOUNDARY\nTOP, 2, 2, " << fmt::format("{:.10g}", moved)
+       << "\n*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE FILE\nU\n*EL FILE\nS, E\n*END STEP\n";
+}
+
+}  // namespace
+
+std::vector<std::string> sets_without_material(const PixelMesh& mesh, const ElasticTest& test) {
+  const std::vector<std::string> sets = element_sets(mesh);
+  std::vector<std::string> without;
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    if (material_of(test, mesh.phases()[k]) == nullptr) without.push_back(sets[k]);
+  return without;
+}
+
+bool can_be_loaded(const PixelMesh& mesh) {
+  return !mesh.nodes_on(Edge::bottom).empty() && !mesh.nodes_on(Edge::top).empty();
+}
+
+void write_abaqus(const std::string& path, const PixelMesh& mesh, PlaneElement plane,
+                  const std::optional<ElasticTest>& test) {
   const std::vector<std::string> sets = element_sets(mesh);
   const char* type = plane == PlaneElement::stress ? "CPS4" : "CPE4";
   write_text(path, [&](TextStream& file) {
-    write_heading(file, mesh, sets);
+    write_heading(file, mesh, test ? sets_without_material(mesh, *test) : sets);
     write_node_block(file, mesh);
     for (std::size_t k = 0; k < sets.size(); ++k) {
       file << "*ELEMENT, TYPE=" << type << ", ELSET=" << sets[k] << "\n";
       write_elements(file, mesh, mesh.phases()[k], ", ");
     }
     for (const Edge edge : edges) write_node_set(file, edge, mesh.nodes_on(edge));
+    if (!test) return;
+    write_materials(file, mesh, sets, *test);
+    if (can_be_loaded(mesh)) write_step(file, mesh, *test);
   });
 }
 

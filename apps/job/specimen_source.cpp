@@ -64,6 +64,7 @@ Prepared with_rings(specimen::Converted converted, const Settings& settings) {
   Prepared prepared;
   prepared.notes = std::move(converted.report.notes);
   prepared.segmentation = converted.segmented.mask;
+  prepared.photograph = std::move(converted.photograph);
   const auto itz = itz_for(prepared.segmentation, settings.itz, prepared.notes);
   auto origin = provenance(settings, picture.filename().string(), picture.parent_path());
   prepared.specimen = specimen::make_specimen(std::move(converted.segmented), itz, std::move(origin));
@@ -123,10 +124,13 @@ std::string ending(const std::string& path) {
   return text;
 }
 
-std::string preview_path(const std::string& path) {
+std::string path_beside(const std::string& path, const char* ending) {
   const fs::path file(path);
-  return (file.parent_path() / (file.stem().string() + "_preview.png")).string();
+  return (file.parent_path() / (file.stem().string() + ending)).string();
 }
+
+constexpr const char* preview_ending = "_preview.png";
+constexpr const char* overlay_ending = "_overlay.png";
 
 bool same_file(const std::string& first, const std::string& second) {
   std::error_code error;
@@ -139,20 +143,24 @@ void check_output(const std::string& path, const std::string& input) {
   constexpr std::array<const char*, 6> endings{".h5", ".png", ".tif", ".tiff", ".bmp", ".pgm"};
   if (std::find(endings.begin(), endings.end(), ending(path)) == endings.end())
     throw Rejected(Exit::usage, "-o", path, "must end in .h5, .png, .tif, .tiff, .bmp or .pgm");
-  for (const std::string& file : {path, preview_path(path)})
+  for (const std::string& file : {path, path_beside(path, preview_ending), path_beside(path, overlay_ending)})
     if (!input.empty() && same_file(file, input))
       throw Rejected(Exit::usage, "-o", path, "would overwrite " + input, "choose another name");
 }
 
-std::vector<std::string> write_specimen_output(const std::string& path, const specimen::Specimen& specimen) {
+std::vector<std::string> write_specimen_output(const std::string& path, const specimen::Specimen& specimen,
+                                               const specimen::Raster<specimen::Rgb>& photograph) {
   if (ending(path) != ".h5") {
     specimen::write_labels(path, specimen.mask);
     return {path};
   }
   specimen::write_specimen(path, specimen);
-  const std::string picture = preview_path(path);
-  specimen::write_preview(picture, specimen.mask);
-  return {path, picture};
+  std::vector<std::string> files{path, path_beside(path, preview_ending)};
+  specimen::write_preview(files.back(), specimen.mask);
+  if (photograph.empty()) return files;
+  files.push_back(path_beside(path, overlay_ending));
+  specimen::write_overlay(files.back(), photograph, specimen.mask);
+  return files;
 }
 
 void report_specimen(Console& console, bool as_json, const Prepared& prepared, nlohmann::ordered_json figures,

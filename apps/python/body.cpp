@@ -12,6 +12,7 @@
 #include "apps/python/views.hpp"
 #include "apps/scene/input.hpp"
 #include "apps/system/hdf5_files.hpp"
+#include "specimen/describe/doubts.hpp"
 #include "specimen/describe/statistics.hpp"
 #include "specimen/file/specimen_file.hpp"
 #include "specimen/picture/picture.hpp"
@@ -28,7 +29,14 @@ app::Prepared unlocked(const app::Settings& settings, const Make& make) {
   return make();
 }
 
-Body body_of(app::Prepared prepared) {
+/// Says what speaks against it, in a picture.
+app::Prepared doubted(app::Prepared prepared) {
+  warn_of_doubts(specimen::doubts_of(prepared.specimen));
+  return prepared;
+}
+
+Body body_of(app::Prepared made) {
+  app::Prepared prepared = doubted(std::move(made));
   return {std::make_shared<const specimen::Specimen>(std::move(prepared.specimen)),
           std::move(prepared.notes)};
 }
@@ -108,13 +116,13 @@ void refuse_sources(const std::vector<app::Assignment>& given) {
 
 app::Prepared Broken::cells() const {
   const app::Settings& settings = resolved.settings;
-  if (given) return app::fit_to_cells(*given, settings);
-  return unlocked(settings, [&] { return app::prepare_cells(settings); });
+  if (given) return doubted(app::fit_to_cells(*given, settings));
+  return doubted(unlocked(settings, [&] { return app::prepare_cells(settings); }));
 }
 
 app::Prepared Broken::whole() const {
-  if (given) return *given;
-  return unlocked(resolved.settings, [&] { return app::prepare_specimen(resolved.settings); });
+  if (given) return doubted(*given);
+  return doubted(unlocked(resolved.settings, [&] { return app::prepare_specimen(resolved.settings); }));
 }
 
 Broken broken_of(const py::object& input, std::vector<app::Assignment> given, const std::string& argument) {

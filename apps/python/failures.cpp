@@ -38,6 +38,24 @@ void translate_refusals() {
   });
 }
 
+namespace {
+
+void warn(const char* category, const std::string& text) {
+  constexpr int caller_of_the_package = 2;
+  if (PyErr_WarnEx(exception_type(category).ptr(), text.c_str(), caller_of_the_package) != 0)
+    throw py::error_already_set();
+}
+
+}  // namespace
+
+void warn_of_length(const std::string& text) {
+  if (!text.empty()) warn("LongRun", text);
+}
+
+void warn_of_doubts(const std::vector<std::string>& doubts) {
+  for (const std::string& doubt : doubts) warn("Doubt", doubt);
+}
+
 void raise_with(const char* name, const std::string& text, const py::object& result) {
   set_error(exception_type(name)(text, result));
   throw py::error_already_set();

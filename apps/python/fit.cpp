@@ -81,7 +81,12 @@ FitPointer calibrate(const py::object& input, const py::dict& settings, const py
     auto fit = std::make_shared<Fit>();
     fit->is_given = broken.given.has_value();
     fit->job = app::make_job(broken.resolved.settings, broken.cells());
+    if (std::string doubt = doubt_of(target); !doubt.empty()) fit->job.notes.push_back(std::move(doubt));
     fit->task.emplace(app::make_task(fit->job, std::move(target), wish));
+    warn_of_length([&] {
+      const py::gil_scoped_release unlock;
+      return announcement(*fit->task);
+    }());
     Spectator spectator(progress);
     fit->found = search(*fit->task, spectator);
     const bool nothing = fit->found.history.empty();

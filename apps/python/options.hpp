@@ -48,6 +48,13 @@ void translate_refusals();
 /// Raise what a refusal becomes, with what was computed as .result.
 [[noreturn]] void raise_with(const app::Rejected& refusal, const py::object& result);
 
+/// Say before a long call what it takes, as a mesopix.LongRun: nothing for an empty text.
+/// @throws py::error_already_set where the caller has made warnings errors.
+void warn_of_length(const std::string& text);
+
+/// The same of what speaks against a specimen, a mesopix.Doubt each.
+void warn_of_doubts(const std::vector<std::string>& doubts);
+
 /// Where complaints about the option -o come from: an argument of that name.
 [[nodiscard]] app::Origins with_output(const char* argument, app::Origins origins = {});
 

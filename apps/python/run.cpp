@@ -11,6 +11,7 @@
 #include "apps/report/run_words.hpp"
 #include "apps/run/frame_folder.hpp"
 #include "apps/run/run_folder.hpp"
+#include "apps/run/run_length.hpp"
 #include "apps/run/run_location.hpp"
 #include "apps/run/solving.hpp"
 #include "apps/scene/input.hpp"
@@ -72,6 +73,7 @@ class Task {
         !note.empty())
       run_->job.notes.push_back(std::move(note));
     check(tolerance);
+    tell_length();
     std::optional<app::FreshFolder> folder;
     std::optional<app::HeldFolder> held;
     if (!wanted_.output.is_none()) {
@@ -92,6 +94,19 @@ class Task {
     if (wanted_.tolerance.is_none()) return std::nullopt;
     return app::read_option("tolerance", option_text(wanted_.tolerance),
                             app::QuantityCodec{app::Dimension::ratio, app::inside(0, 1)});
+  }
+
+  /// A picture that takes long must be asked for, as of the program.
+  void tell_length() const {
+    const app::Job& job = run_->job;
+    const app::RunLength length = [&] {
+      const py::gil_scoped_release unlock;
+      return app::length_of(job.scene);
+    }();
+    if (source_of(job.settings) == app::Source::picture &&
+        !broken_.resolved.origins.contains("convert.pixels"))
+      app::refuse_unasked_length(length, job.specimen.mask.labels.cols);
+    warn_of_length(length.text);
   }
 
   void check(const std::optional<double>& tolerance) const {
@@ -152,7 +167,8 @@ class Task {
     spectator_.rethrow();
     for (const app::Remark& remark : remarks_on(outcome, run_->job.scene))
       run_->job.notes.push_back(remark.text);
-    if (wanted_.estimate_error) run_->estimate = app::estimate_of(outcome, run_->job, second_run());
+    run_->estimate = wanted_.estimate_error ? app::estimate_of(outcome, run_->job, second_run())
+                                            : app::of_a_peak(std::move(run_->estimate), outcome, run_->job);
     divergence_ = std::move(outcome.divergence);
     run_->result = std::move(outcome.result);
   }
@@ -241,6 +257,10 @@ auto figure(T mpm::Result::*member) {
   return [member](const Run& run) { return run.result.*member; };
 }
 
+auto figure_of_peak(double mpm::Result::*member) {
+  return [member](const Run& run) { return mpm::peak_of(run.result, member); };
+}
+
 template <class T>
 auto map_of(mpm::PixelField<T> mpm::Result::*member) {
   return [member](const py::object& self) { return view(run_of(self).result.*member, self); };
@@ -270,9 +290,13 @@ void bind_arrays(py::class_<Run, std::shared_ptr<Run>>& type) {
 }
 
 void bind_figures(py::class_<Run, std::shared_ptr<Run>>& type) {
-  type.def_property_readonly("peak_stress", figure(&mpm::Result::peak_stress), "[Pa]")
-      .def_property_readonly("peak_strain", figure(&mpm::Result::peak_strain),
-                             "platen strain at the peak [-]")
+  type.def_property_readonly(
+          "peak_stress", figure_of_peak(&mpm::Result::peak_stress),
+          "[Pa]; NaN where the run reached no peak: its largest stress had not fallen again by 5 %")
+      .def_property_readonly("peak_strain", figure_of_peak(&mpm::Result::peak_strain),
+                             "platen strain at the peak [-]; NaN where the run reached none")
+      .def_property_readonly("largest_stress", figure(&mpm::Result::peak_stress), "[Pa], be it a peak or not")
+      .def_property_readonly("strain_at_largest_stress", figure(&mpm::Result::peak_strain), "[-]")
       .def_property_readonly(
           "peak_reached", [](const Run& run) { return mpm::peak_reached(run.result); },
           "whether the largest stress is a peak; False where the stress had not fallen again")

@@ -37,8 +37,10 @@ struct Wanted {
 
 Wanted wanted_of(const py::object& jobs, const py::object& until_ci, bool retry) {
   Wanted wanted{app::core_count(), 0, retry};
-  if (!jobs.is_none())
-    wanted.jobs = app::read_option("jobs", option_text(jobs), app::IntegerCodec<>{app::between(1, 1024)});
+  if (!jobs.is_none()) {
+    const int asked = app::read_option("jobs", option_text(jobs), app::IntegerCodec<>{app::between(1, 1024)});
+    wanted.jobs = app::workers_within_cores(asked, "jobs").count;
+  }
   if (!until_ci.is_none())
     wanted.share = app::read_option("until-ci", option_text(until_ci),
                                     app::QuantityCodec{app::Dimension::ratio, app::inside(0, 1)});
@@ -95,11 +97,13 @@ BreakingsPointer study(const py::object& input, const py::dict& settings, const 
     StudyWish wish = read_wish({input, settings, options, what}, folder.path());
     check_seeds(wanted, wish.study);
     std::vector<app::Member> members = list_members(wish.study);
-    check_scenes(wish.study, members);
+    const app::CheckedScenes checked = check_scenes(wish.study, members);
+    warn_of_doubts(checked.doubts);
     folder.open(wish.study, members);
     wish.keep();
     if (wanted.retry)
       for (const app::Member& member : members) folder.forget_failure(member);
+    warn_of_length(announcement(folder, members, checked.sizes, wanted.jobs));
     Spectator spectator(progress);
     auto breakings = std::make_shared<Breakings>(
         Breakings{folder, run(folder, std::move(wish.study), std::move(members), wanted, spectator), {}});

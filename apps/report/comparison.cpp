@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "apps/drawing/ticks.hpp"
@@ -20,21 +21,33 @@ namespace {
 
 using Runs = std::vector<ComparedRun>;
 
-StrainUnit common_unit(const Runs& runs) {
+StrainUnit common_unit(const Runs& runs, const std::vector<MeasuredCurve>& measured = {}) {
   double largest = 0;
   for (const ComparedRun& run : runs)
     for (const mpm::HistoryRow& row : run.result.history) largest = std::max(largest, std::abs(row.strain));
+  for (const MeasuredCurve& curve : measured)
+    for (const double strain : curve.strain) largest = std::max(largest, std::abs(strain));
   return strain_unit(largest);
 }
 
-Chart curves(const Runs& runs, const StrainUnit& unit) {
+}  // namespace
+
+Chart comparison_chart(const Runs& runs, const std::vector<MeasuredCurve>& measured) {
+  const StrainUnit unit = common_unit(runs, measured);
   Chart chart{"Stress against strain of the runs", {"Strain", unit.name}, {"Stress", "MPa"}, {}, {}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     chart.series.push_back(stress_series(runs[i].name, ink_of_series(i), runs[i].result, unit.per_strain));
     chart.series.back().dashed = i >= series_inks;
   }
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    Series series{measured[i].name, {}, {}, i == 0 ? Ink::text : Ink::muted, true};
+    add_line(series, measured[i].strain, measured[i].stress, unit.per_strain, 1e-6);
+    chart.series.push_back(std::move(series));
+  }
   return chart;
 }
+
+namespace {
 
 /// A key figure of a run.
 struct Figure {
@@ -63,6 +76,12 @@ std::vector<Figure> figures(const StrainUnit& unit) {
   };
 }
 
+/// NaN for a largest stress that is no peak: how far it is from one says nothing.
+double comparable(const Figure& figure, const mpm::Result& result) {
+  const bool is_none = figure.of_peak && !mpm::peak_reached(result);
+  return is_none ? std::numeric_limits<double>::quiet_NaN() : figure.of(result);
+}
+
 /// "3.43 (+2.1 %)": of the first run the figure alone.
 std::string with_distance(double value, double first, bool is_first) {
   std::string text = rounded(value);
@@ -82,10 +101,11 @@ std::string figure_table(const Runs& runs, const StrainUnit& unit) {
   std::vector<std::vector<std::string>> rows;
   for (const Figure& figure : figures(unit)) {
     std::vector<std::string> row{figure.name + " [" + figure.unit + "]"};
-    const double first = figure.of(runs.front().result);
+    const double first = comparable(figure, runs.front().result);
     for (const ComparedRun& run : runs) {
-      row.push_back(with_distance(figure.of(run.result), first, &run == &runs.front()));
-      if (figure.of_peak && !mpm::peak_reached(run.result)) row.back() += ", no peak";
+      const bool is_comparable = std::isfinite(comparable(figure, run.result));
+      row.push_back(with_distance(figure.of(run.result), first, &run == &runs.front() || !is_comparable));
+      if (figure.of_peak && !is_comparable) row.back() += ", no peak";
     }
     rows.push_back(std::move(row));
   }
@@ -107,7 +127,7 @@ std::string setting_table(const Runs& runs, const std::vector<ComparedSetting>& 
 std::string comparison_html(const Runs& runs, const std::vector<ComparedSetting>& settings) {
   const std::string title = "Comparison of " + std::to_string(runs.size()) + " runs";
   const StrainUnit unit = common_unit(runs);
-  const Chart chart = curves(runs, unit);
+  const Chart chart = comparison_chart(runs);
   const std::string caption = "Stress and strain are positive in the loading direction of each run.";
   const nlohmann::ordered_json data = {{"strain", {{"name", unit.name}, {"per_strain", unit.per_strain}}},
                                        {"csv", nullptr},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "apps/drawing/damage_picture.hpp"
 #include "apps/text/figures.hpp"
@@ -94,6 +95,16 @@ const mpm::HistoryRow& peak_row(const mpm::Result& result) {
 InertiaShares inertia_of(const mpm::HistoryRow& row) {
   const auto of_work = [&](double energy) { return row.platen_work > 0 ? energy / row.platen_work : 0; };
   return {mpm::platen_imbalance(row), of_work(row.kinetic), of_work(row.damped)};
+}
+
+nlohmann::json peak_figures(const mpm::Result& result) {
+  const bool peak = mpm::peak_reached(result);
+  const auto of_peak = [&](double value) { return peak ? nlohmann::json(value) : nlohmann::json(nullptr); };
+  return {{"peak_reached", peak},
+          {"peak_stress_Pa", of_peak(result.peak_stress)},
+          {"peak_strain", of_peak(result.peak_strain)},
+          {"largest_stress_Pa", result.peak_stress},
+          {"strain_at_largest_stress", result.peak_strain}};
 }
 
 double secant_modulus(const mpm::Result& result) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,7 +51,11 @@ struct FailureCount {
 [[nodiscard]] FailureCount failures_of_extra_points(const RunRecord& record,
                                                     const std::vector<FailureCount>& by_phase);
 
-/// Stress over strain where the stress first reaches 40 % of its peak [Pa]; NaN without a peak.
+/// Of summary.json and of all that names a run in JSON: peak_reached, peak_stress_Pa and peak_strain, which
+/// are null where the largest stress is no peak, and that stress and its strain under names of their own.
+[[nodiscard]] nlohmann::json peak_figures(const mpm::Result& result);
+
+/// Stress over strain where the stress first reaches 40 % of its largest value [Pa]; NaN where there is none.
 [[nodiscard]] double secant_modulus(const mpm::Result& result);
 
 /// Area share of each phase that the mask holds [-], in the order of labels.

@@ -37,7 +37,7 @@ std::string error_text(double error) { return rounded(100 * error, 2) + " %"; }
 
 std::vector<std::string> row_of(const ErrorSource& source, const StrainUnit& unit) {
   return {source.name,
-          source.compared,
+          source.compared + (source.peak_reached ? "" : ", no peak"),
           rounded(1e-6 * source.peak_stress, 4),
           rounded(unit.per_strain * source.peak_strain, 4),
           error_text(source.stress_error),

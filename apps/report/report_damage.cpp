@@ -24,7 +24,7 @@ struct Look {
 };
 
 std::string figure(const RunRecord& record, const DamageStage& stage, const std::vector<Look>& looks) {
-  const std::string share = fmt::format("{} % of the peak strain", stage.percent);
+  const std::string share = fmt::format("{} % of {}", stage.percent, reference_strain(record.result));
   std::string html = "<figure>\n";
   for (const Look& look : looks)
     html += image(damage_picture(record.specimen.mask, record.result, stage.strain, look.palette),
@@ -65,12 +65,11 @@ std::string last_figure(const RunRecord& record, const DamageStages& stages, con
     html += image(damage_picture(record.specimen.mask, record.result, strain, look.palette),
                   "Damage at the end", look.css_class);
   const StrainUnit unit = strain_unit(record.result);
-  return html +
-         fmt::format(
-             "<figcaption><b>At the end</b>, {:.0f} % of the peak strain<br/>{} {}<br/>{} failed in tension, "
-             "{} in shear</figcaption>\n</figure>\n",
-             100 * stages.reached, rounded(unit.per_strain * strain), unit.name,
-             grouped(record.result.tension_failures), grouped(record.result.shear_failures));
+  return html + fmt::format(
+                    "<figcaption><b>At the end</b>, {:.0f} % of {}<br/>{} {}<br/>{} failed in tension, "
+                    "{} in shear</figcaption>\n</figure>\n",
+                    100 * stages.reached, stages.of, rounded(unit.per_strain * strain), unit.name,
+                    grouped(record.result.tension_failures), grouped(record.result.shear_failures));
 }
 
 /// What the pictures do not show.

@@ -13,13 +13,14 @@ namespace output {
 
 /// What one choice of the numerics adds.
 struct ErrorSource {
-  std::string name;         ///< "loading rate"
-  std::string compared;     ///< what a second run did otherwise: "0.025 m/s"
-  double peak_stress = 0;   ///< of that run [Pa]
-  double peak_strain = 0;   ///< of that run [-]
-  double stress_error = 0;  ///< estimated, of the peak stress over it [-]
-  double strain_error = 0;  ///< estimated, of the peak strain over it [-]
-  double wall_time = 0;     ///< of the time loop of that run [s]
+  std::string name;          ///< "loading rate"
+  std::string compared;      ///< what a second run did otherwise: "0.025 m/s"
+  double peak_stress = 0;    ///< of that run [Pa]
+  double peak_strain = 0;    ///< of that run [-]
+  double stress_error = 0;   ///< estimated, of the peak stress over it [-]
+  double strain_error = 0;   ///< estimated, of the peak strain over it [-]
+  double wall_time = 0;      ///< of the time loop of that run [s]
+  bool peak_reached = true;  ///< by that run; else the errors are lower bounds
 };
 
 struct ErrorEstimate {

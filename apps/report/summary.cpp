@@ -35,10 +35,12 @@ json failures_of(const RunRecord& record) {
 
 json pictures_of(const mpm::Result& result) {
   json pictures = json::array();
+  const bool peak = mpm::peak_reached(result);
   for (const output::DamageStage& stage : output::damage_stages(result).drawn)
     pictures.push_back({{"file", output::picture_name(stage.percent, false)},
                         {"colour_file", output::picture_name(stage.percent, true)},
-                        {"percent_of_peak_strain", stage.percent},
+                        {"percent_of_peak_strain", peak ? json(stage.percent) : json(nullptr)},
+                        {"percent_of_strain_at_largest_stress", stage.percent},
                         {"strain", stage.strain},
                         {"tension_failures", stage.tension},
                         {"shear_failures", stage.shear}});
@@ -89,27 +91,26 @@ json setting_of(const mpm::Scene& scene) {
 
 json figures_of(const mpm::Result& result) {
   const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
-  return {{"peak_stress_Pa", result.peak_stress},
-          {"peak_strain", result.peak_strain},
-          {"peak_reached", mpm::peak_reached(result)},
-          {"secant_modulus_Pa", output::secant_modulus(result)},
-          {"end_strain", end.strain},
-          {"end_stress_Pa", end.stress},
-          {"end_time_s", end.time},
-          {"moving_points", end.moving_points},
-          {"left_points", end.left_points},
-          {"tension_failures", result.tension_failures},
-          {"shear_failures", result.shear_failures},
-          {"points", result.points},
-          {"steps", result.steps},
-          {"dt_s", result.dt},
-          {"wall_s", result.wall_time},
-          {"point_updates_per_s", result.point_updates_per_second()},
-          {"energy_error", result.energy_error},
-          {"instruction_set", result.instruction_set},
-          {"threads", result.threads},
-          {"nothing_carries", result.nothing_carries},
-          {"stop_reason", output::word_of(result.stop)}};
+  json figures = output::peak_figures(result);
+  figures.update({{"secant_modulus_Pa", output::secant_modulus(result)},
+                  {"end_strain", end.strain},
+                  {"end_stress_Pa", end.stress},
+                  {"end_time_s", end.time},
+                  {"moving_points", end.moving_points},
+                  {"left_points", end.left_points},
+                  {"tension_failures", result.tension_failures},
+                  {"shear_failures", result.shear_failures},
+                  {"points", result.points},
+                  {"steps", result.steps},
+                  {"dt_s", result.dt},
+                  {"wall_s", result.wall_time},
+                  {"point_updates_per_s", result.point_updates_per_second()},
+                  {"energy_error", result.energy_error},
+                  {"instruction_set", result.instruction_set},
+                  {"threads", result.threads},
+                  {"nothing_carries", result.nothing_carries},
+                  {"stop_reason", output::word_of(result.stop)}});
+  return figures;
 }
 
 json inertia_of(const mpm::Result& result) {
@@ -127,8 +128,9 @@ json estimate_of(const output::ErrorEstimate& estimate) {
   for (const output::ErrorSource& source : estimate.sources)
     all["sources"].push_back({{"name", source.name},
                               {"compared_with", source.compared},
-                              {"peak_stress_Pa", source.peak_stress},
-                              {"peak_strain", source.peak_strain},
+                              {"peak_reached", source.peak_reached},
+                              {"peak_stress_Pa", source.peak_reached ? json(source.peak_stress) : nullptr},
+                              {"peak_strain", source.peak_reached ? json(source.peak_strain) : nullptr},
                               {"peak_stress_error", source.stress_error},
                               {"peak_strain_error", source.strain_error},
                               {"wall_s", source.wall_time}});

@@ -11,21 +11,22 @@ namespace {
 
 constexpr double latest = 1.5;  ///< of the strain at the peak
 
-bool fails_late(const mpm::Result& result, int row, int col) {
-  const float strain =
-      result.failure_strain(row, col);  // the map is of single precision, so its ends are too
-  return strain > static_cast<float>(result.peak_strain) &&
-         strain <= static_cast<float>(latest * result.peak_strain);  // NaN: neither
+/// @param strain  at which a point failed, of single precision, so that the ends are too.
+bool is_late(float strain, double peak_strain) {
+  return strain > static_cast<float>(peak_strain) &&
+         strain <= static_cast<float>(latest * peak_strain);  // NaN: neither
 }
 
 /// Late failures of each row, in the columns between two places [m].
 std::vector<int> late_by_row(const specimen::LabelledMask& mask, const mpm::Result& result, double left,
                              double right) {
   std::vector<int> late(static_cast<std::size_t>(mask.labels.rows), 0);
+  const double peak_strain = peak_of(result, &mpm::Result::peak_strain);
   for (int row = 0; row < mask.labels.rows; ++row)
     for (int col = 0; col < mask.labels.cols; ++col) {
       const double x = mask.centre(row, col).x;
-      late[static_cast<std::size_t>(row)] += x >= left && x <= right && fails_late(result, row, col);
+      late[static_cast<std::size_t>(row)] +=
+          x >= left && x <= right && is_late(result.failure_strain(row, col), peak_strain);
     }
   return late;
 }

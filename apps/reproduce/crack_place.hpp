@@ -9,7 +9,7 @@
 namespace app::reproduce {
 
 /// The late failures of a column of the specimen: those between the strain at the peak and 150 % of it. The
-/// crack is the band of `crack_band` that holds the most of them.
+/// crack is the band of `crack_band` that holds the most of them. A run without a peak has none.
 struct CrackPlace {
   double height = 0;  ///< mean height of the failures in the band [m]; NaN without late failures
   double share = 0;   ///< of the late failures that lie in the band [-]

@@ -116,9 +116,9 @@ std::string itz_text(const Effort& effort, const TrialResults& outcomes) {
       "The ITZ is a closed ring of pixels here. With the paper's 36 extra points on each boundary "
       "the first specimen bears ";
   for (const std::string name : {"tension", "compression"}) {
-    const double points =
-        outcomes.of(square_trial(effort, name, 1, {{"itz.mode", "points"}})).result.peak_stress;
-    const double ring = outcomes.of(square_trial(effort, name, 1)).result.peak_stress;
+    const double points = peak_of(outcomes.of(square_trial(effort, name, 1, {{"itz.mode", "points"}})).result,
+                                  &mpm::Result::peak_stress);
+    const double ring = peak_of(outcomes.of(square_trial(effort, name, 1)).result, &mpm::Result::peak_stress);
     text += megapascals(points) + " in place of " + megapascals(ring) + " in " + name +
             (name == "tension" ? " and " : ".");
   }

@@ -23,8 +23,8 @@ double tension_share(const output::DamageStage& stage) {
   return static_cast<double>(stage.tension) / all;
 }
 
-std::string stage_text(const output::DamageStage& stage) {
-  return std::to_string(stage.percent) + " % of the peak strain";
+std::string stage_text(const output::DamageStages& stages, const output::DamageStage& stage) {
+  return std::to_string(stage.percent) + " % of " + stages.of;
 }
 
 Claim claim_of(const output::DamageStages& stages) {
@@ -34,7 +34,7 @@ Claim claim_of(const output::DamageStages& stages) {
     if (stage.percent < 100) continue;
     const double share = tension_share(stage);
     holds.push_back(share > 0.5);
-    measured += (measured.empty() ? "" : ", ") + output::percent(share) + " at " + stage_text(stage);
+    measured += (measured.empty() ? "" : ", ") + output::percent(share) + " at " + stage_text(stages, stage);
   }
   if (holds.empty()) holds.push_back(false);
   Claim claim{"compression-damage-in-tension",
@@ -52,13 +52,13 @@ Claim claim_of(const output::DamageStages& stages) {
 }
 
 std::string text_of(const output::DamageStages& stages, const std::string& name) {
-  if (stages.drawn.empty()) return "In " + name + " the run has no peak.";
+  if (stages.drawn.empty()) return "In " + name + " no stress rose above 0.";
   const output::DamageStage& last = stages.drawn.back();
   std::string text = "In " + name + " " + output::grouped(last.tension + last.shear) +
-                     " points have failed at " + stage_text(last) + ", " +
+                     " points have failed at " + stage_text(stages, last) + ", " +
                      output::percent(tension_share(last)) + " of them in tension";
   for (const output::DamageStage& stage : stages.drawn)
-    if (stage.percent == 100)
+    if (stage.percent == 100 && stages.of_peak)
       text += "; " +
               output::percent(static_cast<double>(stage.tension + stage.shear) /
                               static_cast<double>(last.tension + last.shear)) +
@@ -69,7 +69,7 @@ std::string text_of(const output::DamageStages& stages, const std::string& name)
 nlohmann::json json_of(const output::DamageStages& stages) {
   nlohmann::json json = nlohmann::json::array();
   for (const output::DamageStage& stage : stages.drawn)
-    json.push_back({{"percent_of_peak_strain", stage.percent},
+    json.push_back({{"percent_of_peak_strain", stages.of_peak ? nlohmann::json(stage.percent) : nullptr},
                     {"strain", stage.strain},
                     {"tension_failures", stage.tension},
                     {"shear_failures", stage.shear}});

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "apps/drawing/damage_picture.hpp"
+#include "apps/drawing/ticks.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/text/figures.hpp"
@@ -78,7 +79,8 @@ std::string damage_pictures(const TrialResult& outcome, const std::vector<int>& 
   std::string html;
   for (const output::DamageStage& stage : output::damage_stages(outcome.result).drawn) {
     if (std::find(percents.begin(), percents.end(), stage.percent) == percents.end()) continue;
-    const std::string share = fmt::format("{} % of the peak strain", stage.percent);
+    const std::string share =
+        fmt::format("{} % of {}", stage.percent, output::reference_strain(outcome.result));
     html +=
         "<figure>\n" +
         output::image(output::damage_picture(outcome.specimen.mask, outcome.result, stage.strain,

@@ -63,12 +63,13 @@ class ReproduceCommand : public Command {
       throw Rejected(Exit::usage, "--all", "given with --figure", "", "give one of the two");
     const auto figures = reproduce::select_figures(figures_);
     const fs::path folder = make_run_folder(output_, "reproduce", overwrite_);
-    const int workers = jobs_ > 0 ? jobs_ : core_count();
+    const Workers workers = workers_within_cores(jobs_ > 0 ? jobs_ : core_count(), "--jobs");
+    if (!workers.note.empty()) console.say("note: " + workers.note);
     const InterruptGuard guard;
     const auto reproduction = [&] {
       TerminalLine line(console);
       return reproduce::reproduce_figures(
-          figures, reproduce::Effort(), workers,
+          figures, reproduce::Effort(), workers.count,
           {[&](std::size_t done, std::size_t all) { line.show(progress_text(done, all, line.elapsed())); },
            [&] { return !guard.interrupted(); }});
     }();

@@ -130,10 +130,13 @@ nlohmann::json json_of(const FigureResult& result) {
 
 nlohmann::json json_of(const TrialResults::Entry& entry) {
   const mpm::Result& result = entry.outcome.result;
-  return {{"command", command_of(entry.trial)},          {"peak_stress_Pa", result.peak_stress},
-          {"peak_strain", result.peak_strain},           {"peak_reached", mpm::peak_reached(result)},
-          {"tension_failures", result.tension_failures}, {"shear_failures", result.shear_failures},
-          {"energy_error", result.energy_error},         {"steps", result.steps}};
+  nlohmann::json run = output::peak_figures(result);
+  run.update({{"command", command_of(entry.trial)},
+              {"tension_failures", result.tension_failures},
+              {"shear_failures", result.shear_failures},
+              {"energy_error", result.energy_error},
+              {"steps", result.steps}});
+  return run;
 }
 
 }  // namespace

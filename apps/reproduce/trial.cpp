@@ -50,10 +50,6 @@ Settings settings_of(const Trial& trial) {
   return resolve(parse_scene(paper_scene(trial.scene).text, path_of_scene(trial.scene)), given).settings;
 }
 
-double peak_of(const mpm::Result& result, double mpm::Result::*figure) {
-  return mpm::peak_reached(result) ? result.*figure : no_number;
-}
-
 TrialResult run_trial(const Trial& trial, const std::function<bool()>& go_on) {
   Job job = make_job(settings_of(trial));
   job.scene.threads = 1;  // other trials have the other cores

@@ -52,9 +52,6 @@ struct TrialResult {
   specimen::Specimen specimen;  ///< empty unless the maps are kept
 };
 
-/// A figure of the peak of a run; NaN where its largest stress is none, so that no spread holds it.
-[[nodiscard]] double peak_of(const mpm::Result& result, double mpm::Result::*figure);
-
 /// Break the specimen of a trial on one thread.
 /// @param go_on  the run is given up once it says no.   @throws Rejected, naming the trial, when the physics
 /// went wrong; the exceptions of the libraries.

@@ -38,7 +38,8 @@ ErrorSource source_of(const std::string& name, const std::string& compared, doub
           other.peak_strain,
           margin * share * change(base.peak_stress, other.peak_stress),
           margin * share * change(base.peak_strain, other.peak_strain),
-          other.wall_time};
+          other.wall_time,
+          other.history.empty() || mpm::peak_reached(other)};
 }
 
 mpm::Scene slower(mpm::Scene scene) {
@@ -187,7 +188,8 @@ ErrorSource rate_source(const mpm::Result& of, const mpm::Result& fast, const mp
           other.peak_strain,
           error(&mpm::Result::peak_stress),
           error(&mpm::Result::peak_strain),
-          other.wall_time};
+          other.wall_time,
+          other.history.empty() || mpm::peak_reached(other)};
 }
 
 /// Runs at rates that are halved from one to the next, of which the last three tell the error.
@@ -252,9 +254,9 @@ double bias_of_waves(const mpm::Scene& scene) {
 void add_bias(const mpm::Scene& scene, const mpm::Result& base, ErrorEstimate& estimate) {
   const double bias = bias_of_waves(scene);
   if (bias > 0)
-    estimate.sources.push_back({"waves of breaking points",
-                                "a known bias, as there is no run without inertia",
-                                base.peak_stress / (1 - bias), base.peak_strain / (1 - bias), bias, bias, 0});
+    estimate.sources.push_back(
+        {"waves of breaking points", "a known bias, as there is no run without inertia",
+         base.peak_stress / (1 - bias), base.peak_strain / (1 - bias), bias, bias, 0, true});
 }
 
 /// Against equilibrium, or else from runs at half and at a quarter of the rate: what the rates tend to is not

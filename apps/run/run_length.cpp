@@ -44,17 +44,41 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} days", seconds / 86400);
 }
 
+RunSize size_of(const mpm::Scene& scene) {
+  if (scene.method == mpm::SolverMethod::quasi_static) return {};
+  return {mpm::count_points(scene), mpm::plan(scene).steps};
+}
+
+double time_of_runs(const std::vector<RunSize>& runs, const std::function<mpm::Scene()>& sample,
+                    int workers) try {
+  double updates = 0, longest = 0;
+  for (const RunSize& run : runs) {
+    updates += run.updates();
+    longest = std::max(longest, run.updates());
+  }
+  if (updates < certainly_short) return 0;
+  mpm::Scene alone = sample();
+  alone.threads = 1;
+  const std::int64_t points = mpm::count_points(alone);
+  const double of_an_update =
+      time_of_a_step(alone, mpm::plan(alone), points) / std::max(1.0, static_cast<double>(points));
+  return of_an_update * std::max(updates / std::max(workers, 1), longest);
+} catch (const mpm::Diverged&) {  // the run itself will say it
+  return 0;
+}
+
+bool is_long(double seconds) { return seconds >= long_time; }
+
 RunLength length_of(const mpm::Scene& scene) try {
   if (scene.method == mpm::SolverMethod::quasi_static) return {};
   const mpm::Plan plan = mpm::plan(scene);
   const std::int64_t points = mpm::count_points(scene);
-  if (plan.steps < many_steps &&
-      static_cast<double>(plan.steps) * static_cast<double>(points) < certainly_short)
-    return {};
+  if (plan.steps < many_steps && size_of(scene).updates() < certainly_short) return {};
   const double expected = static_cast<double>(plan.steps) * time_of_a_step(scene, plan, points);
   if (plan.steps < many_steps && expected < long_time) return {};
-  return {expected, fmt::format("a run of {} points and {} steps of {:.3g} s, which takes about {} here",
-                                points, plan.steps, plan.dt, duration_text(expected))};
+  const char* ended = scene.loading.stop_drop ? "up to" : "about";
+  return {expected, fmt::format("a run of {} points and {} steps of {:.3g} s, which takes {} {} here", points,
+                                plan.steps, plan.dt, ended, duration_text(expected))};
 } catch (const mpm::Diverged&) {  // the run itself will say it
   return {};
 }

@@ -11,8 +11,8 @@
 
 namespace output {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorSource, name, compared, peak_stress, peak_strain, stress_error,
-                                   strain_error, wall_time)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(ErrorSource, name, compared, peak_stress, peak_strain,
+                                                stress_error, strain_error, wall_time, peak_reached)
 
 }  // namespace output
 

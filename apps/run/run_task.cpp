@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -135,7 +136,8 @@ std::string percent_text(double error) { return output::rounded(100 * error, 2) 
 std::string estimate_text(const output::ErrorEstimate& estimate) {
   std::string parts;
   for (const output::ErrorSource& source : estimate.sources)
-    parts += (parts.empty() ? "" : ", ") + source.name + " " + percent_text(source.stress_error);
+    parts += (parts.empty() ? "" : ", ") + source.name + (source.peak_reached ? " " : " at least ") +
+             percent_text(source.stress_error);
   return fmt::format(
       "the peak stress may be wrong by {} and its strain by {} ({}), estimated in {:.2f} s more",
       percent_text(estimate.stress_error()), percent_text(estimate.strain_error()), parts,
@@ -161,7 +163,10 @@ void say_notes(const Job& job, std::size_t told, Console& console) {
 void note_outcome(const Outcome& outcome, Job& job, Console& console) {
   for (const Remark& remark : remarks_on(outcome, job.scene)) {
     job.notes.push_back(remark.text);
-    if (*remark.kind != '\0') console.say(std::string(remark.kind) + ": " + remark.text);
+    if (remark.kind == std::string_view("warning"))
+      console.warn(remark.text);
+    else if (*remark.kind != '\0')
+      console.say(std::string(remark.kind) + ": " + remark.text);
   }
 }
 
@@ -256,7 +261,7 @@ Exit carry_out(RunTask task, const InterruptGuard& guard, Console& console) {
   const std::size_t told = job.notes.size();
   const output::ErrorEstimate estimate = task.remarks.estimate_error
                                              ? estimate_of(outcome, job, second_run(console, guard))
-                                             : task.remarks.tolerated;
+                                             : of_a_peak(task.remarks.tolerated, outcome, job);
   say_notes(job, told, console);
   note_outcome(outcome, job, console);
   subject.notes = job.notes;

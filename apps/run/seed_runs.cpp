@@ -59,6 +59,10 @@ std::vector<std::uint64_t> seeds_from(std::uint64_t first, int count) {
   return seeds;
 }
 
+int workers_of(const mpm::Scene& scene) {
+  return scene.threads > 0 ? std::min(scene.threads, core_count()) : core_count();
+}
+
 std::optional<std::vector<SeedRun>> run_seeds(const mpm::Scene& scene,
                                               const std::vector<std::uint64_t>& seeds, RunEnd end,
                                               const std::function<bool()>& stopped) {
@@ -66,8 +70,7 @@ std::optional<std::vector<SeedRun>> run_seeds(const mpm::Scene& scene,
   std::vector<std::function<void()>> jobs;
   for (std::size_t i = 0; i < seeds.size(); ++i)
     jobs.emplace_back([&, i] { runs[i] = run_seed(scene, seeds[i], end, stopped); });
-  const int workers = scene.threads > 0 ? std::min(scene.threads, core_count()) : core_count();
-  run_jobs(jobs, workers, {{}, [&] { return !stopped(); }});
+  run_jobs(jobs, workers_of(scene), {{}, [&] { return !stopped(); }});
   if (stopped()) return std::nullopt;
   return runs;
 }

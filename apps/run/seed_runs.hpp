@@ -31,6 +31,9 @@ enum class RunEnd {
 /// `count` seeds from `first` on.
 [[nodiscard]] std::vector<std::uint64_t> seeds_from(std::uint64_t first, int count);
 
+/// Runs at a time of run_seeds().
+[[nodiscard]] int workers_of(const mpm::Scene& scene);
+
 /// Run the scene once for each seed, each on one thread, as many at a time as there are cores, or
 /// Scene::threads says.
 /// @param stopped  asked at each row of the history, by every thread; true = end all runs.

@@ -39,8 +39,24 @@ Solve second_run(Console& console, const InterruptGuard& guard) {
   return [&](const mpm::Scene& scene) { return end_of_second_run(solve(scene, console, guard)); };
 }
 
+namespace {
+
+output::ErrorEstimate without_peak(Job& job) {
+  job.notes.emplace_back("there is no estimate of the error: the run reached no peak");
+  return {};
+}
+
+}  // namespace
+
+output::ErrorEstimate of_a_peak(output::ErrorEstimate estimate, const Outcome& outcome, Job& job) {
+  const bool has_peak = estimate.sources.empty() || !outcome.divergence.empty() || outcome.interrupted() ||
+                        mpm::peak_reached(outcome.result);
+  return has_peak ? std::move(estimate) : without_peak(job);
+}
+
 output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, const Solve& second) {
   if (!outcome.divergence.empty() || outcome.interrupted()) return {};
+  if (!mpm::peak_reached(outcome.result)) return without_peak(job);
   try {
     return estimate_error(job.scene, outcome.result, second);
   } catch (const NoEstimate& failed) {

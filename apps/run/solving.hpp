@@ -43,9 +43,14 @@ struct NoEstimate {
 /// Second runs of a person who looks on. All must outlive it.
 [[nodiscard]] Solve second_run(Console& console, const InterruptGuard& guard);
 
-/// How wrong the peak of a run that came to its end may be; without sources where a second run did not, which
-/// is noted.
+/// How wrong the peak of a run that came to its end may be; without sources where a second run did not, or
+/// where it reached no peak, which is noted.
 [[nodiscard]] output::ErrorEstimate estimate_of(const Outcome& outcome, Job& job, const Solve& second);
+
+/// The estimate that a tolerance has led to; without sources, which is noted, for a run that reached no peak
+/// of which it could be the error.
+[[nodiscard]] output::ErrorEstimate of_a_peak(output::ErrorEstimate estimate, const Outcome& outcome,
+                                              Job& job);
 
 /// @param option  that asked for it, as the caller names it.   @throws Rejected (Exit::data) for a tolerance
 /// that was not met, with the error that is left.

@@ -70,7 +70,8 @@ output::ColourScale read_range(const std::string& text) {
 }
 
 StressPlot stress_plot(const ReadRun& run, const fs::path& folder, double strain,
-                       output::StressComponent component, const std::optional<output::ColourScale>& range) {
+                       output::StressComponent component, const std::optional<output::ColourScale>& range,
+                       double text) {
   const std::vector<fs::path> frames = frames_of(folder);
   if (frames.empty())
     throw Rejected(Exit::data, "RUN", folder.string(), "has no frames, which hold the stress",
@@ -81,7 +82,7 @@ StressPlot stress_plot(const ReadRun& run, const fs::path& folder, double strain
   const std::string words = output::strain_words(run.result, frame.strain, 1);
   const bool moved = run.result.history[static_cast<std::size_t>(frame.row)].moving_points > 0;
   const bool loaded = run.scene.loading.direction != mpm::Direction::none;
-  return {output::stress_drawing(run.specimen.mask, frame, {component, loaded, moved, range, words}),
+  return {output::stress_drawing(run.specimen.mask, frame, {component, loaded, moved, range, words, text}),
           file.filename().string() + ", at " + words};
 }
 

@@ -22,9 +22,10 @@ struct StressPlot {
 
 /// Stress in the frame whose strain lies nearest to the one wanted, the earlier of two.
 /// @param folder  of the run.   @param range  of the colours; none = from the values.
+/// @param text  size of the words over the usual one.
 /// @throws Rejected (Exit::data) when there are no frames, or none of this run, and mpm::FileError.
 [[nodiscard]] StressPlot stress_plot(const ReadRun& run, const std::filesystem::path& folder, double strain,
                                      output::StressComponent component,
-                                     const std::optional<output::ColourScale>& range);
+                                     const std::optional<output::ColourScale>& range, double text = 1);
 
 }  // namespace app

@@ -316,7 +316,9 @@ std::vector<Field> output_fields() {
       field("output.history_rows", IntegerCodec<>{between(10, 1'000'000)}, "rows of the stress-strain curve",
             MEMBER(scene.history_rows)),
       field("output.frames", IntegerCodec<>{between(0, 100'000)},
-            "states of all points for ParaView and plot --what stress, even in strain; 0 = none",
+            "states of all points for ParaView and plot --what stress, even in strain, closer before a peak "
+            "far below "
+            "stop_strain; 0 = none",
             MEMBER(scene.frames)),
   };
 }

@@ -6,6 +6,13 @@
 #include "apps/statistics/statistics.hpp"
 
 namespace app {
+
+bool Curve::has_peak() const {
+  const double highest = peak_stress();
+  const auto lowest = *std::min_element(stress.begin() + static_cast<std::ptrdiff_t>(peak()), stress.end());
+  return highest > 0 && lowest <= (1 - mpm::lost_after_peak) * highest;
+}
+
 Curve stress_curve(const mpm::Result& result) {
   Curve curve;
   for (const mpm::HistoryRow& row : result.history) {

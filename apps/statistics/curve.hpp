@@ -20,6 +20,9 @@ struct Curve {
   [[nodiscard]] double peak_stress() const { return stress[peak()]; }  ///< @pre not empty
   [[nodiscard]] double peak_strain() const { return strain[peak()]; }  ///< where the stress is highest
 
+  /// Whether the highest stress is a peak, as mpm::peak_reached().   @pre not empty.
+  [[nodiscard]] bool has_peak() const;
+
  private:
   [[nodiscard]] std::size_t peak() const {
     return static_cast<std::size_t>(std::max_element(stress.begin(), stress.end()) - stress.begin());

@@ -211,7 +211,7 @@ output::Drawing crack_drawing(const CrackCount& cracks, const specimen::Labelled
   const std::string words = fmt::format("{} members", cracks.members);
   double y = output::add_picture(drawing, output::magnified(picture, output::crisp_factor(rows, cols))) +
              output::text_line;
-  output::add_scale_bar(drawing, output::picture_width / mask.width(), y, words);
+  y = output::add_scale_bar(drawing, output::picture_width / mask.width(), y, words);
   const bool above = *std::max_element(shares.begin(), shares.end()) > scale.high;
   y = output::add_colour_bar(drawing, {scale, "Members in which the pixel failed [%]", false, above},
                              y + 1.5 * output::text_line);

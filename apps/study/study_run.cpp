@@ -15,9 +15,11 @@
 #include "apps/scene/scene_text.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/system/job_pool.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/files/result_file.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
+#include "specimen/describe/doubts.hpp"
 
 namespace app {
 namespace {
@@ -191,25 +193,76 @@ class SampleSpecimens {
     return found->second;
   }
 
+  /// Of all of them, each once.
+  [[nodiscard]] std::vector<std::string> doubts() const {
+    std::vector<std::string> doubts;
+    for (const auto& [files, prepared] : specimens_)
+      if (prepared)
+        for (std::string& doubt : specimen::doubts_of(prepared->specimen))
+          if (std::find(doubts.begin(), doubts.end(), doubt) == doubts.end())
+            doubts.push_back(std::move(doubt));
+    return doubts;
+  }
+
  private:
   std::map<Files, std::optional<Prepared>> specimens_;
 };
 
 }  // namespace
 
-void check_scenes(const Study& study, const std::vector<Member>& members) {
+namespace {
+
+/// 0 where the plan is refused, which is left to the run of the member.
+RunSize size_if_known(const mpm::Scene& scene) {
+  try {
+    return app::size_of(scene);
+  } catch (const mpm::Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+CheckedScenes check_scenes(const Study& study, const std::vector<Member>& members) {
   SampleSpecimens specimens;
+  CheckedScenes checked;
   for (const Member& member : members) {
     try {
       const Settings& settings = *member.settings;
-      if (const auto& specimen = specimens.of(settings))
-        (void)make_job(settings, fit_to_cells(*specimen, settings));
+      const auto& specimen = specimens.of(settings);
+      checked.sizes.push_back(
+          specimen ? size_if_known(make_job(settings, fit_to_cells(*specimen, settings)).scene) : RunSize());
     } catch (const Rejected& rejected) {
       refuse_member(study, member, rejected.complaints);
     } catch (const mpm::Error& error) {
       refuse_member(study, member, {complaint(error.field, error.value, error.allowed, error.cure)});
     }
   }
+  checked.doubts = specimens.doubts();
+  return checked;
+}
+
+std::string announcement(const StudyFolder& folder, const std::vector<Member>& members,
+                         const std::vector<RunSize>& sizes, int workers) {
+  std::vector<RunSize> open;
+  RunSize largest, most;
+  const Member* sample = nullptr;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (folder.has_result(members[i]) || folder.has_failed(members[i])) continue;
+    open.push_back(sizes[i]);
+    most = {std::max(most.points, sizes[i].points), std::max(most.steps, sizes[i].steps)};
+    if (sizes[i].updates() <= largest.updates()) continue;
+    largest = sizes[i];
+    sample = &members[i];
+  }
+  if (sample == nullptr) return {};
+  const Settings& settings = *sample->settings;
+  const double seconds = time_of_runs(
+      open, [&] { return make_job(settings, prepare_cells(settings)).scene; }, workers);
+  if (!is_long(seconds)) return {};
+  return fmt::format("{} of up to {} points and {} steps, which take {} {} here, {} at a time",
+                     counted(static_cast<int>(open.size()), "member"), most.points, most.steps,
+                     settings.scene.loading.stop_drop ? "up to" : "about", duration_text(seconds), workers);
 }
 
 StudyTally run_members(const Study& study, const StudyFolder& folder, const std::vector<Member>& members,

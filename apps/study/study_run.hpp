@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "apps/run/checkpoint_folder.hpp"
+#include "apps/run/run_length.hpp"
 #include "apps/settings/settings.hpp"
 #include "apps/study/study_folder.hpp"
 #include "apps/system/job_pool.hpp"
@@ -80,10 +81,22 @@ struct StudyTally {
 
 using StudyWatch = WatchOf<const StudyTally&>;
 
+/// What is known of the members of a study before they run.
+struct CheckedScenes {
+  std::vector<RunSize> sizes;       ///< what the run of each computes, 0 where that is not known
+  std::vector<std::string> doubts;  ///< of specimens from files and pictures, see specimen::doubts_of()
+};
+
 /// Whether every member's settings go with a specimen: phases, edges, solver. Specimens from files are all
 /// looked at, of random ones the first; one that cannot be made is left to its run.
 /// @throws Rejected (Exit::data) naming the first member that is not valid, and its values.
-void check_scenes(const Study& study, const std::vector<Member>& members);
+CheckedScenes check_scenes(const Study& study, const std::vector<Member>& members);
+
+/// What the members that have no result yet take, where that is long: "20 members of up to ... points and ...
+/// steps, which take about 12 min here, 2 at a time". Measured on one of them within a second; empty for a
+/// short study.   @param sizes  of check_scenes().   @param workers  as of run_members().
+[[nodiscard]] std::string announcement(const StudyFolder& folder, const std::vector<Member>& members,
+                                       const std::vector<RunSize>& sizes, int workers);
 
 /// Run the members that have neither a result nor a failure, each on one thread; write the result of each
 /// into the folder, or why it has failed. One that is interrupted goes on from its checkpoint the next time.

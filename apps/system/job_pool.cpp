@@ -1,5 +1,6 @@
 #include "apps/system/job_pool.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <exception>
 #include <mutex>
@@ -74,6 +75,13 @@ std::size_t run_jobs(const std::vector<std::function<void()>>& jobs, int workers
     }
   }
   return queue.result();
+}
+
+Workers workers_within_cores(int wanted, const std::string& option) {
+  const int cores = core_count();
+  if (wanted <= cores) return {wanted, ""};
+  return {cores, fmt::format("{} {} is more than there are cores: there {} at a time, one on each", option,
+                             wanted, cores == 1 ? "is 1" : fmt::format("are {}", cores))};
 }
 
 int core_count() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }

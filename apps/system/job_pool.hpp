@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace app {
@@ -29,6 +30,16 @@ using Watch = WatchOf<std::size_t, std::size_t>;
 /// @throws what the first job of the list that failed threw, after all threads have ended; no job is begun
 /// after a failure.
 std::size_t run_jobs(const std::vector<std::function<void()>>& jobs, int workers, const Watch& watch = {});
+
+/// Jobs at a time that a person asked for, held to the cores: more would wait for each other, and want
+/// memory.
+struct Workers {
+  int count = 1;
+  std::string note;  ///< that there are fewer than asked for; empty otherwise
+};
+
+/// @param wanted  >= 1.   @param option  that asked for it, "--jobs".
+[[nodiscard]] Workers workers_within_cores(int wanted, const std::string& option);
 
 /// Threads that this machine runs at once, >= 1.
 [[nodiscard]] int core_count();

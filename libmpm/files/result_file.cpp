@@ -46,8 +46,10 @@ std::string stop_name(StopReason reason) {
 void write_figures(hid_t file, const Result& result, const std::string& scene_text) {
   write_text(file, "format", format_name);
   write_number(file, "format_version", format_version);
-  write_number(file, "peak_stress_Pa", result.peak_stress);
-  write_number(file, "peak_strain", result.peak_strain);
+  write_number(file, "peak_stress_Pa", peak_of(result, &Result::peak_stress));
+  write_number(file, "peak_strain", peak_of(result, &Result::peak_strain));
+  write_number(file, "largest_stress_Pa", result.peak_stress);
+  write_number(file, "strain_at_largest_stress", result.peak_strain);
   write_number(file, "tension_failures", result.tension_failures);
   write_number(file, "shear_failures", result.shear_failures);
   write_number(file, "points", result.points);

@@ -1,7 +1,7 @@
 /// result.h5: history, failure maps and figures of a run.
 ///
 /// Layout:
-///   /                attributes: format, format_version, peak_stress_Pa, peak_strain, tension_failures,
+///   /                attributes: format, format_version, peak_stress_Pa, peak_strain, largest_stress_Pa, ...
 ///                    shear_failures, points, steps, dt_s, wall_time_s, energy_error, instruction_set,
 ///                    threads, stop_reason ("strain", "time", "drop", "interrupted"), scene (TOML text),
 ///                    run and remarks (texts from the caller, where there are some)

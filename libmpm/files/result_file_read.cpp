@@ -50,8 +50,10 @@ StopReason stop_of(const std::string& name) {
 }
 
 void read_figures(hid_t file, Result& result) {
-  result.peak_stress = read_number<double>(file, "peak_stress_Pa");
-  result.peak_strain = read_number<double>(file, "peak_strain");
+  // Older files call the largest stress a peak, whether it is one or not.
+  const bool older = H5Aexists(file, "largest_stress_Pa") <= 0;
+  result.peak_stress = read_number<double>(file, older ? "peak_stress_Pa" : "largest_stress_Pa");
+  result.peak_strain = read_number<double>(file, older ? "peak_strain" : "strain_at_largest_stress");
   result.tension_failures = read_number<std::int64_t>(file, "tension_failures");
   result.shear_failures = read_number<std::int64_t>(file, "shear_failures");
   result.points = read_number<std::int64_t>(file, "points");

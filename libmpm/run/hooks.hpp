@@ -28,8 +28,9 @@ using Observer = std::function<bool(const Progress&)>;
 struct RunHooks {
   Observer observer = {};
   /// Called with the initial state, then with Scene::frames frames at rows of the history that are evenly
-  /// spaced over the strain (without platens over the time). If the run ends early, the last frame is its
-  /// final state.
+  /// spaced over the strain (without platens over the time). Where stop_strain lies far beyond any peak there
+  /// are more of them, closer below it, so that a run that ends at a drop of the stress shows its failure.
+  /// The last frame is the final state.
   FrameSink frames = {};
   CheckpointWish checkpoints = {};
 };

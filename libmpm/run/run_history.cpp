@@ -150,6 +150,11 @@ std::int64_t steps_to_next_row(const Scene& scene, const Plan& plan, double earl
              : plan.steps_per_row;
 }
 
+double next_frame(int count, double early, double done) {
+  const double closer = std::max(early, done) / rows_to_peak;
+  return early > 0 && closer < 1 ? done * count + closer : std::floor(done * count) + 1;
+}
+
 double share_done(const Scene& scene, const HistoryRow& row) {
   return scene.loading.direction == Direction::none ? row.time / scene.loading.duration
                                                     : row.strain / scene.loading.stop_strain;

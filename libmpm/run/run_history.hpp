@@ -57,17 +57,27 @@ void add_row(Result& result, const HistoryRow& row, Direction direction);
 /// Set the energy error of the result from its history.
 void close_ledger(Result& result);
 
+/// Number of the next frame behind one at a share of the run [-], counted in even steps of the whole run: a
+/// whole number, or what lies closer where the run may end long before, so that up to any peak beyond the
+/// early strain there is a fifth of the frames at least.
+/// @param early  early_strain() over the strain at which the run ends [-].
+[[nodiscard]] double next_frame(int count, double early, double done);
+
 /// It costs a comparison a row where nobody asked for any.
 class RunFrames {
  public:
   /// The sink must outlive this.
-  RunFrames(const Scene& scene, const FrameSink& sink) : count_(sink ? scene.frames : 0), sink_(sink) {}
+  RunFrames(const Scene& scene, const FrameSink& sink)
+      : count_(sink ? scene.frames : 0),
+        early_(count_ > 0 ? early_strain(scene) / scene.loading.stop_strain : 0),
+        sink_(sink) {}
 
   /// At the start and at every row of the history. @param done  share of the run [-].
   template <class Solver>
   void offer(const Solver& solver, double done, std::size_t row) {
-    if (count_ > 0 && done * count_ >= due_) take(solver, row);
-    due_ = std::max(due_, std::floor(done * count_) + 1);
+    if (count_ == 0 || done * count_ < due_) return;
+    take(solver, row);
+    due_ = next_frame(count_, early_, done);
   }
   /// At the end: the last row, unless it was a frame.
   template <class Solver>
@@ -95,6 +105,7 @@ class RunFrames {
   }
 
   int count_;
+  double early_;  ///< share of the run up to which frames lie closest [-]
   const FrameSink& sink_;
   double due_ = 0;  ///< number of the next frame
   Frame frame_;

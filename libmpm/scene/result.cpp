@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mpm {
 
@@ -58,5 +59,9 @@ double fall_after_peak(const Result& result) {
 }
 
 bool peak_reached(const Result& result) { return fall_after_peak(result) >= lost_after_peak; }
+
+double peak_of(const Result& result, double Result::*figure) {
+  return peak_reached(result) ? result.*figure : std::numeric_limits<double>::quiet_NaN();
+}
 
 }  // namespace mpm

@@ -57,10 +57,11 @@ enum class StopReason {
 /// Maps have the shape (rows, cols) of Scene::labels, row 0 at the top; NaN = no value.
 struct Result {
   std::vector<HistoryRow> history;  ///< the first row is the initial state
-  /// Largest stress of the history [Pa]. Of platens whose imbalance is above `balanced`, the lesser reaction
-  /// counts: what the greater one has beyond it moves the specimen, and does not pass through it.
+  /// Largest stress of the history [Pa], which is a peak if peak_reached() says so. Of platens whose
+  /// imbalance is above `balanced`, the lesser reaction counts: what the greater one has beyond it moves the
+  /// specimen, and does not pass through it.
   double peak_stress = 0;
-  double peak_strain = 0;  ///< platen strain at the peak [-]
+  double peak_strain = 0;  ///< platen strain at that stress [-]
   /// Platen strain at which the point of a pixel failed [-]; NaN = it did not fail. With failure_mode it
   /// gives the damage at any strain. On a path that snaps back it is the largest strain until then.
   PixelField<float> failure_strain;
@@ -111,6 +112,10 @@ inline constexpr double lost_after_peak = 0.05;
 /// Whether the largest stress of a run is a peak: whether the stress has since fallen by `lost_after_peak`.
 /// Of a run that ended before, the largest stress is a lower bound of the peak only.
 [[nodiscard]] bool peak_reached(const Result& result);
+
+/// The largest stress of a run or its strain [Pa, -], where that is a peak; NaN otherwise.
+/// @param figure  &Result::peak_stress or &Result::peak_strain.
+[[nodiscard]] double peak_of(const Result& result, double Result::*figure);
 
 /// How far the stress has fallen since its largest value, over that [-], in [0, 1] unless the stress changes
 /// its sign; 0 for a run whose largest stress is its last, or is none.

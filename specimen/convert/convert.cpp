@@ -272,6 +272,19 @@ void note_result(const Segmented& segmented, ConvertReport& report) {
                          counted(static_cast<std::int64_t>(segmented.inclusions.size()), "aggregate"));
 }
 
+/// What a mask covers of a picture, by the nearest pixels.
+Raster<Rgb> part_under(const LabelledMask& mask, const Raster<Rgb>& picture) {
+  constexpr int wanted = 600;
+  const int fine = (wanted + mask.labels.cols - 1) / mask.labels.cols;
+  const double ratio = static_cast<double>(picture.cols) / mask.labels.cols / fine;
+  Raster<Rgb> part(mask.labels.rows * fine, mask.labels.cols * fine);
+  for (int r = 0; r < part.rows; ++r)
+    for (int c = 0; c < part.cols; ++c)
+      part(r, c) = picture(std::min(picture.rows - 1, static_cast<int>((r + 0.5) * ratio)),
+                           std::min(picture.cols - 1, static_cast<int>((c + 0.5) * ratio)));
+  return part;
+}
+
 }  // namespace
 
 Converted convert_picture(const std::string& path, const ConvertOptions& options,
@@ -304,6 +317,7 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
   mask.pixel_size = resample(sorted, rows, cols, options, report.source_pixel_size, report);
   fill_instances(result.segmented, std::move(sorted.cells));
   note_result(result.segmented, report);
+  if (sorted.photograph) result.photograph = part_under(mask, shown_colours(picture));
   return result;
 }
 

@@ -77,7 +77,8 @@ struct ConvertOptions {
   /// Increasing levels of the channel; a value at a threshold is in the class above. Only for threshold.
   std::vector<double> thresholds;
   int classes = 0;  ///< multi_otsu, kmeans: 2 to 16; 0 = automatic (3, or as many as there are flat colours)
-  /// Phases of the classes, from the darkest to the brightest (kmeans: by lightness L); empty = guessed.
+  /// Phases of the classes, from the darkest to the brightest (kmeans: by lightness L); empty = guessed. They
+  /// leave the classes of colours as they are without names.
   std::vector<std::string> class_phases;
   /// labels: value -> phase name, for every value of the picture; empty = all guessed.
   std::vector<std::pair<std::int64_t, std::string>> label_phases;
@@ -114,6 +115,9 @@ struct ConvertReport {
 struct Converted {
   Segmented segmented;
   ConvertReport report;
+  /// Of a photograph: what the mask covers of it, each pixel of the mask as so many pixels that the whole is
+  /// about 600 wide; else empty. Transparent parts and greys look as they were segmented.
+  Raster<Rgb> photograph{};
 };
 
 /// Neither the options nor the file of a picture tell how large a pixel is.

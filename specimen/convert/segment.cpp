@@ -72,7 +72,8 @@ void note_classes(const Raster<std::uint8_t>& classes, const std::vector<std::st
     text += (text.empty() ? "" : ", ") + centres[k] + " = " + phases[k] + " (" +
             share_text(count[k], static_cast<double>(classes.size())) + ")";
   note(report, std::string("phases of the classes from dark to bright, ") +
-                   (guessed ? "guessed: " : "as given: ") + text);
+                   (guessed ? "guessed: " : "as given: ") + text +
+                   (guessed ? "; class_phases gives them other ones, in this order" : ""));
 }
 
 void fill_cells(Sorted& sorted, const Raster<std::uint8_t>& classes, const std::vector<std::string>& phases) {
@@ -191,9 +192,8 @@ Sorted segment_thresholds(const Picture& picture, const ConvertOptions& o, Conve
 
 ColourClasses classes_by_colour(const Raster<Rgb>& picture, bool has_black, const ConvertOptions& o,
                                 int& factor, ConvertReport& report) {
-  const int count = o.classes != 0 ? o.classes : static_cast<int>(o.class_phases.size());
   const Raster<Lab> calm = to_lab(calmed(picture, o, factor, report));
-  if (count != 0) return colour_classes(calm, count);
+  if (o.classes != 0) return colour_classes(calm, o.classes);
   return automatic_classes(calm, to_lab(factor > 1 ? shrunk(picture, factor) : picture), has_black);
 }
 
@@ -208,6 +208,18 @@ std::vector<std::string> guessed_phases(const ColourClasses& found) {
   return guess_class_phases(found.classes, count, dark);
 }
 
+/// Names belong to the classes that a run without them has told, so that these can be corrected.
+[[noreturn]] void refuse_names(std::size_t names, const ColourClasses& found, const ConvertOptions& o) {
+  const auto count = static_cast<std::int64_t>(found.centres.size());
+  const std::string given = counted(static_cast<std::int64_t>(names), "name");
+  if (o.classes != 0)
+    throw Error("convert.class_phases", given, "the picture has colours for " + counted(count, "class"));
+  throw Error("convert.class_phases", given,
+              "the picture has " + counted(count, "class") + ", told by a conversion without names",
+              "name each of them, the darkest first, or set classes = " + std::to_string(names) +
+                  " for as many other ones");
+}
+
 Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertReport& report) {
   Sorted sorted;
   const bool is_gray = picture.colour.empty();
@@ -217,8 +229,7 @@ Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertR
   const int count = static_cast<int>(found.centres.size());
   const bool guessed = o.class_phases.empty();
   if (!guessed && static_cast<int>(o.class_phases.size()) != count)
-    throw Error("convert.class_phases", counted(static_cast<std::int64_t>(o.class_phases.size()), "name"),
-                "the picture has colours for " + counted(count, "class"));
+    refuse_names(o.class_phases.size(), found, o);
   const std::vector<std::string> phases = guessed ? guessed_phases(found) : o.class_phases;
   sorted.drawing = found.flat;
   sorted.photograph = !found.flat;

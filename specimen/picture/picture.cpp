@@ -143,4 +143,36 @@ Raster<Rgb> preview(const LabelledMask& mask) {
   return picture;
 }
 
+namespace {
+
+constexpr int gutter = 12;  ///< between the photograph and what is laid over it [px]
+
+Rgb mixed(Rgb a, Rgb b) {
+  const auto half = [](int x, int y) { return static_cast<std::uint8_t>((x + y) / 2); };
+  return {half(a.r, b.r), half(a.g, b.g), half(a.b, b.b)};
+}
+
+}  // namespace
+
+Raster<Rgb> overlay(const Raster<Rgb>& photograph, const LabelledMask& mask) {
+  const int fine = photograph.cols / mask.labels.cols;
+  const auto label_at = [&](int row, int col) {
+    return mask.labels(std::min(row, photograph.rows - 1) / fine, std::min(col, photograph.cols - 1) / fine);
+  };
+  Raster<Rgb> both(photograph.rows, 2 * photograph.cols + gutter, Rgb{255, 255, 255});
+  for (int row = 0; row < photograph.rows; ++row)
+    for (int col = 0; col < photograph.cols; ++col) {
+      const std::uint8_t label = label_at(row, col);
+      const bool is_edge = label_at(row + 1, col) != label || label_at(row, col + 1) != label;
+      both(row, col) = photograph(row, col);
+      both(row, photograph.cols + gutter + col) =
+          is_edge ? Rgb{0, 0, 0} : mixed(photograph(row, col), phase_colour(label));
+    }
+  return both;
+}
+
+void write_overlay(const std::string& path, const Raster<Rgb>& photograph, const LabelledMask& mask) {
+  write_png(path, overlay(photograph, mask), 0, Origin::drawing);
+}
+
 }  // namespace specimen

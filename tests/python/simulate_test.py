@@ -1,5 +1,5 @@
 """simulate, read_result and Result."""
-import concurrent.futures, json, os, shutil, signal, threading, time, unittest
+import concurrent.futures, json, os, shutil, signal, threading, time, unittest, warnings
 import numpy as np
 import mesopix, samples
 
@@ -15,6 +15,39 @@ class Simulate(unittest.TestCase):
         self.assertEqual(result.curve.strain[0], 0)
         self.assertTrue(np.all(np.diff(result.curve.strain) > 0))
         self.assertAlmostEqual(result.curve.strain[-1], 3e-4, delta=3e-6)
+
+    def test_gives_no_number_for_a_peak_that_is_none(self):
+        rising = samples.run(stop_strain=2e-5)
+        self.assertFalse(rising.peak_reached)
+        self.assertTrue(np.isnan(rising.peak_stress))
+        self.assertTrue(np.isnan(rising.peak_strain))
+        self.assertEqual(rising.largest_stress, rising.curve.stress.max())
+        self.assertEqual(rising.strain_at_largest_stress, rising.curve.strain[-1])
+        self.assertIsNone(rising.summary["peak_stress_Pa"])
+        with self.assertRaisesRegex(ValueError, "has no peak_strain"):
+            rising.damage(rising.peak_strain)
+        self.assertIn("no estimate of the error", " ".join(samples.run(stop_strain=2e-5, estimate_error=True).notes))
+
+    def test_tells_what_a_long_run_takes_before_it(self):
+        def stop(progress):
+            raise StopIteration
+
+        with self.assertWarnsRegex(mesopix.LongRun, "^a run of [0-9]+ points and [0-9]+ steps of .*, which takes about") as told:
+            mesopix.simulate(samples.specimen(), velocity=1e-5, stop_strain=1e-3, progress=stop)
+        self.assertEqual(told.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(mesopix.LongRun):
+                mesopix.simulate(samples.specimen(), velocity=1e-5, stop_strain=1e-3)
+            samples.run()
+
+    def test_asks_before_a_picture_is_computed_for_hours(self):
+        with samples.empty_folder():
+            with open("photo.pgm", "wb") as photo:
+                grains = (np.add.outer(np.arange(900) // 30, np.arange(900) // 30) % 2 * 200).astype(np.uint8)
+                photo.write(b"P5 900 900 255\n" + grains.tobytes())
+            with self.assertRaisesRegex(mesopix.Error, "^convert.pixels: auto, 900 columns; a run of .* must be asked for"):
+                mesopix.simulate("photo.pgm", velocity=1e-6, **{"convert.width": "150 mm"})
 
     def test_is_the_run_of_the_scene_that_it_writes_out(self):
         with samples.empty_folder():
@@ -170,7 +203,7 @@ class Watched(unittest.TestCase):
 
         def press_after_ticks():
             nonlocal ticks
-            while ticks < 200:
+            while ticks < 1500:  # the run is under way, and its length told
                 time.sleep(0.001)
                 ticks += 1
             os.kill(os.getpid(), signal.SIGINT)

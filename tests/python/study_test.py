@@ -1,5 +1,5 @@
 """study and Study."""
-import os, signal, threading, unittest
+import os, signal, threading, unittest, warnings
 import h5py
 import numpy as np
 import mesopix, samples
@@ -70,6 +70,17 @@ class Study(unittest.TestCase):
             mesopix.study("two.toml", output="three", seeds=3)
         with self.assertRaisesRegex(mesopix.Error, "^velocity: 0.1; given beside a study file"):
             mesopix.study("two.toml", output="three", velocity=0.1)
+
+    def test_tells_what_a_long_study_takes_before_it(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaisesRegex(mesopix.LongRun, "^2 members of up to [0-9]+ points and .* 1 at a time$"):
+                mesopix.study(samples.specimen(), output="study", seeds=2, jobs=1, velocity=1e-6)
+
+    def test_has_no_peak_of_members_that_reached_none(self):
+        study = mesopix.study(samples.specimen(), FAST, output="study", seeds=2, vary={"loading.stop_strain": [2e-5, 3e-4]})
+        self.assertEqual(list(np.isnan(study.table["peak_stress"])), [True, False, True, False])
+        self.assertEqual(list(study.table["peak_reached"]), [0, 1, 0, 1])
 
     def test_takes_as_many_seeds_as_the_mean_needs(self):
         study = mesopix.study(samples.specimen(), FAST, output="study", seeds=2, until_ci="20 %")

@@ -21,14 +21,14 @@ from numpy.typing import ArrayLike
 
 from . import _core, results
 from ._core import Calibration, Result, Specimen, Study, Twins
-from .errors import Complaint, Diverged, Error, FileError, Interrupted
+from .errors import Complaint, Diverged, Doubt, Error, FileError, Interrupted, LongRun
 from .progress import Progress, StudyProgress, Trial, TwinProgress
 from .results import Curve
 
 __all__ = [
-    "Calibration", "Complaint", "Curve", "Diverged", "Error", "FileError", "Interrupted", "Progress", "Result", "Specimen",
-    "Study", "StudyProgress", "Trial", "TwinProgress", "Twins", "calibrate", "convert", "generate", "read_result",
-    "read_specimen", "simulate", "stiffness", "study", "twin",
+    "Calibration", "Complaint", "Curve", "Diverged", "Doubt", "Error", "FileError", "Interrupted", "LongRun", "Progress",
+    "Result", "Specimen", "Study", "StudyProgress", "Trial", "TwinProgress", "Twins", "calibrate", "convert", "generate",
+    "read_result", "read_specimen", "simulate", "stiffness", "study", "twin",
 ]
 __version__: str = _core.version
 

@@ -6,7 +6,21 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from . import Calibration, Result, Study, Twins
 
-__all__ = ["Complaint", "Diverged", "Error", "FileError", "Interrupted"]
+__all__ = ["Complaint", "Diverged", "Doubt", "Error", "FileError", "Interrupted", "LongRun"]
+
+
+class Doubt(UserWarning):
+    """What speaks against a specimen of a picture: much of it void, no aggregate, a width of micrometres ...
+
+    warnings.simplefilter("ignore", mesopix.Doubt) silences it.
+    """
+
+
+class LongRun(UserWarning):
+    """Said before a call that takes a minute or more here: what is computed, and how long that takes.
+
+    warnings.simplefilter("ignore", mesopix.LongRun) silences it.
+    """
 
 
 class Complaint(NamedTuple):

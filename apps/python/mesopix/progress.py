@@ -30,8 +30,8 @@ class Trial(NamedTuple):
     misfit: float  #: of this one [-]
     best_misfit: float  #: of all so far [-]
     factors: list[float]  #: on the values in the scene, one a free parameter [-]
-    peak_stress: float  #: mean of the seeds [Pa]
-    peak_strain: float  #: mean of the seeds [-]
+    peak_stress: float  #: mean of the seeds that reached a peak [Pa]; NaN where none did
+    peak_strain: float  #: mean of these seeds [-]
 
 
 class StudyProgress(NamedTuple):

@@ -27,6 +27,8 @@ def damage(result: Result, strain: float | None = None) -> NDArray[np.uint8]:
     """
     if strain is None:
         return result.failure_mode.copy()
+    if np.isnan(strain):
+        raise ValueError("strain: nan; must be a number; a run without a peak has no peak_strain, see peak_reached")
     return np.where(result.failure_strain <= strain, result.failure_mode, 0).astype(np.uint8)
 
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "apps/calibrate/calibration_folder.hpp"
+
 namespace calibration_report_test {
 
 using app::Calibration;
@@ -53,6 +57,33 @@ TEST_F(CalibrationWords, NameTheTarget) {
   EXPECT_EQ(app::target_text({1.75e6, 75e-6, {}}), "a peak of 1.75 MPa at strain 75e-6");
   EXPECT_EQ(app::target_text({{}, {}, {{0, 1e-4, 2e-4}, {0, 1e6, 0}}}),
             "a curve to strain 200e-6 with its peak of 1 MPa at strain 100e-6");
+  EXPECT_EQ(app::target_text({{}, {}, {{0, 1e-4, 2e-4}, {0, 1e6, 2e6}}}),
+            "a curve to strain 200e-6 without a peak, largest stress 2 MPa at strain 200e-6");
+}
+
+TEST_F(CalibrationWords, DoubtACurveThatEndsBeforeItsPeak) {
+  EXPECT_EQ(app::doubt_of({1.75e6, {}, {}}), "");
+  EXPECT_EQ(app::doubt_of({{}, {}, {{0, 1e-4, 2e-4}, {0, 1e6, 0}}}), "");
+  EXPECT_EQ(
+      app::doubt_of({{}, {}, {{0, 1e-4, 2e-4}, {0, 1e6, 2e6}}}),
+      "the measured curve has no peak: its stress has not fallen again at its end, 200e-6; what is fitted "
+      "is the rise alone, and strengths beyond those found fit it as well");
+}
+
+TEST_F(CalibrationWords, CountNoRunWithoutAPeak) {
+  found_.runs[1].peak_reached = false;
+  EXPECT_EQ(app::outcome_lines(task_, found_)[1],
+            "peak 1.7 MPa at strain 75e-6 (seeds 1 to 2; without 1 that reached no peak)");
+  task_.target.peak_stress = 1.7e6;
+  EXPECT_EQ(app::why_not_met(task_, found_), "");
+  found_.runs[0].peak_reached = false;
+  EXPECT_EQ(
+      app::why_not_met(task_, found_),
+      "the target, a peak of 1.7 MPa, was not met; the nearest is no peak at all; these parameters alone "
+      "do not reach it; free others");
+  const auto json = app::calibration_json(task_, found_);
+  EXPECT_TRUE(json["fitted"]["runs"][1]["peak_stress_Pa"].is_null());
+  EXPECT_EQ(json["fitted"]["runs"][1]["largest_stress_Pa"], 1.8e6);
 }
 
 TEST_F(CalibrationWords, ATargetWithinTheScatterOfItsMeanIsMet) {

@@ -1,5 +1,6 @@
 #include "apps/calibrate/calibration.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,6 +51,16 @@ class CalibrationOfSmall : public testing::Test {
 
   specimen::Specimen specimen_ = test::small_specimen();
 };
+
+TEST_F(CalibrationOfSmall, TellsWhatALongSearchTakes) {
+  CalibrationTask task = this->task({2e6, {}, {}}, "tensile_scale");
+  EXPECT_EQ(announcement(task), "");
+  task.settings.scene.loading.velocity = 1e-8;
+  EXPECT_THAT(
+      announcement(task),
+      testing::ContainsRegex("^each set of parameters takes about .* here: 3 runs of [0-9]+ points and "
+                             "[0-9]+ steps, [0-9]+ at a time; at most 100 sets are tried$"));
+}
 
 TEST_F(CalibrationOfSmall, RecoversWhatAPeakWasMadeWith) {
   const app::Peak peak = app::mean_peak(runs_of(0.6, 1.3, 3));

@@ -65,6 +65,11 @@ TEST_F(ExportCommand, TellsItsFilesAsJsonAndIsQuiet) {
 
 TEST_F(ExportCommand, TellsTheSetsOfAMesh) {
   EXPECT_EQ(run({"specimen.h5", "--to", "inp", "-o", "a.inp"}), Exit::ok);
+  EXPECT_EQ(err_.str(),
+            "144 elements and 169 nodes; element sets AGGREGATE and MORTAR, with the elastic materials of a "
+            "scene that "
+            "sets none; a static step moves the top edge by a strain of 0.0001\nwrote a.inp\n");
+  EXPECT_EQ(run({"specimen.h5", "--to", "inp", "-o", "a.inp", "--mesh-only"}), Exit::ok);
   EXPECT_EQ(
       err_.str(),
       "144 elements and 169 nodes; element sets AGGREGATE and MORTAR; give them materials and sections\n"
@@ -149,12 +154,9 @@ TEST_F(ExportCommand, SaysWhichFormatsThereAre) {
 }
 
 TEST_F(ExportCommand, TellsASpecimenFromARun) {
-  expect_refusal(
-      {"run", "--to", "inp"}, Exit::usage,
-      "run: is a run; --to inp needs a specimen; give the specimen, or --to tif for the damage of the run");
   expect_refusal({"run/result.h5", "--to", "roi"}, Exit::usage,
-                 "run/result.h5: is a run; --to roi needs a specimen; give the specimen, or --to tif for the "
-                 "damage of the run");
+                 "run/result.h5: is a run; --to roi needs a specimen; give the specimen, --to tif for the "
+                 "damage of the run, or its folder for --to inp");
   test::write_text("scene.toml", "");
   expect_refusal(
       {"scene.toml", "--to", "inp"}, Exit::usage,
@@ -171,7 +173,26 @@ TEST_F(ExportCommand, TellsASpecimenFromARun) {
   EXPECT_THAT(err_.str(), HasSubstr("hollow/result.h5: "));
 }
 
+TEST_F(ExportCommand, GivesTheElasticTestOfARun) {
+  specimen::write_specimen("stone.h5", test::small_specimen());
+  ASSERT_EQ(call({"simulate", "stone.h5", "--direction", "compression", "--platen", "rough", "--stop-strain",
+                  "1e-5", "--mortar.young", "25 GPa", "-o", "loaded"}),
+            Exit::ok)
+      << err_.str();
+  EXPECT_EQ(run({"loaded", "--to", "inp"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(),
+              HasSubstr("with the elastic materials of the run; a static step moves the top edge by a "
+                        "strain of -0.0001\nwrote loaded/specimen.inp\n"));
+  const std::string text = test::read_text("loaded/specimen.inp");
+  EXPECT_THAT(text, HasSubstr("NAME=M_MORTAR\n*ELASTIC\n2.5e+10, 0.2\n"));
+  EXPECT_THAT(text, HasSubstr("TOP, 1, 1\n"));
+  EXPECT_THAT(text, HasSubstr("TYPE=CPE4"));
+}
+
 TEST_F(ExportCommand, RefusesOptionsOfOtherFormats) {
+  expect_refusal({"specimen.h5", "--to", "msh", "--mesh-only"}, Exit::usage,
+                 "--mesh-only: given with --to msh; belongs to --to inp");
+
   expect_refusal({"specimen.h5", "--to", "msh", "--plane", "strain"}, Exit::usage,
                  "--plane: given with --to msh; belongs to --to inp");
   expect_refusal({"specimen.h5", "--to", "inp", "--plane", "stran"}, Exit::usage,

@@ -178,6 +178,19 @@ TEST(ChartLayout, PutsEqualRatiosAtEqualDistancesOnLogarithmicAxes) {
   EXPECT_TRUE(has(lay_out(logarithmic_chart(), 600, 400), "0.01"));
 }
 
+TEST(ChartLayout, HasWordsOfAnotherSizeAndNoLegendWhereItIsUnwanted) {
+  Chart chart = logarithmic_chart();
+  chart.series.push_back(chart.series[0]);
+  chart.series[0].name = "one";
+  chart.series[1].name = "two";
+  const Drawing small = lay_out(chart, 300, 200, 0.5), usual = lay_out(chart, 600, 400);
+  EXPECT_DOUBLE_EQ(all<Words>(usual).front().size, 13);
+  EXPECT_DOUBLE_EQ(all<Words>(small).front().size, 6.5);
+  EXPECT_TRUE(has(usual, "two"));
+  chart.has_legend = false;
+  EXPECT_FALSE(has(lay_out(chart, 600, 400), "two"));
+}
+
 TEST(ChartLayout, LeavesWhatHasNoLogarithmOut) {
   Chart chart = logarithmic_chart();
   chart.series[0].y[2] = 0;

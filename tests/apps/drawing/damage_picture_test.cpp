@@ -138,12 +138,25 @@ TEST(DamageDrawing, HoldsAllThatItDraws) {
     }
 }
 
-mpm::Result run_to(double share, double peak_strain = 1e-4) {
+/// Its stress falls again at the strain of the peak, or `left` of it is left at the end.
+mpm::Result run_to(double share, double peak_strain = 1e-4, double left = 0.5) {
   mpm::Result result;
+  result.peak_stress = 1e6;
   result.peak_strain = peak_strain;
   result.history.push_back({});
-  result.history.push_back({.strain = share * peak_strain});
+  result.history.push_back({.strain = peak_strain, .stress = 1e6});
+  result.history.push_back({.strain = share * peak_strain, .stress = left * 1e6});
   return result;
+}
+
+TEST(DamageStages, AreSharesOfNoPeakWhereThereIsNone) {
+  EXPECT_TRUE(damage_stages(run_to(1.1)).of_peak);
+  const DamageStages stages = damage_stages(run_to(1.1, 1e-4, 0.97));
+  EXPECT_FALSE(stages.of_peak);
+  EXPECT_EQ(
+      missing_note(stages),
+      "The run ended at 110 % of the strain at the largest stress, which is no peak: there is no picture "
+      "of damage at 125 % and 150 %.");
 }
 
 std::vector<int> percents(const DamageStages& stages) {
@@ -174,10 +187,10 @@ TEST(DamageStages, ForgiveRoundOffAtTheLastStrain) {
   EXPECT_THAT(percents(damage_stages(run_to(1))), ElementsAre(25, 50, 75, 100));
 }
 
-TEST(DamageStages, AreNoneWithoutAPeak) {
+TEST(DamageStages, AreNoneWithoutAnyStress) {
   const DamageStages stages = damage_stages(mpm::Result{});
   EXPECT_TRUE(stages.drawn.empty());
-  EXPECT_EQ(missing_note(stages), "The run has no peak stress, so no picture of damage was drawn.");
+  EXPECT_EQ(missing_note(stages), "No stress rose above 0, so no picture of damage was drawn.");
 }
 
 TEST(DamageStages, CountFailuresUpToTheirStrain) {

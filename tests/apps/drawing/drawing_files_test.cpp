@@ -45,6 +45,15 @@ TEST(PngOfDrawing, HasItsScaledSizeOnWhitePaper) {
   }));
 }
 
+TEST(PngOfDrawing, StatesItsResolutionInPrint) {
+  const Drawing drawing{100, 40, "", {}};
+  const std::string png = png_of(drawing, 1, 0, 600);
+  EXPECT_EQ(png.substr(37, 4), "pHYs");
+  EXPECT_EQ(static_cast<unsigned char>(png.at(43)) << 8 | static_cast<unsigned char>(png.at(44)), 23622);
+  EXPECT_EQ(decoded(png), decoded(png_of(drawing, 1))) << "its checksum is right";
+  EXPECT_EQ(png_of(drawing, 1).find("pHYs"), std::string::npos);
+}
+
 TEST(PngOfDrawing, DrawsLinesWhereTheyAre) {
   const Drawing drawing{100, 40, "", {Stroke{{{10, 20}, {90, 20}}, Ink::first, 4, false}}};
   const Raster<Rgb> picture = decoded(png_of(drawing, 1));

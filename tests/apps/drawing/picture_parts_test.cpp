@@ -36,6 +36,28 @@ TEST(AddLegend, BeginsALineWhereOneIsFull) {
   for (const Words& words : drawn<Words>(drawing)) EXPECT_LT(words.at.x, 480 - 20 * 8);
 }
 
+TEST(AddScaleBar, PutsWordsBelowWhereTheyDoNotFitBeside) {
+  Drawing drawing;
+  EXPECT_DOUBLE_EQ(add_scale_bar(drawing, 480 / 0.15, 100, "118 microstrain, 100 % of the peak strain"), 100);
+  EXPECT_EQ(drawn<Words>(drawing).back().anchor, Anchor::end);
+  drawing.text = 1.4;
+  EXPECT_DOUBLE_EQ(add_scale_bar(drawing, 480 / 0.15, 100, "118 microstrain, 100 % of the peak strain"),
+                   100 + 1.4 * text_line);
+  EXPECT_EQ(drawn<Words>(drawing).back().anchor, Anchor::start);
+  EXPECT_DOUBLE_EQ(drawn<Words>(drawing).back().size, 14 * 1.4);
+}
+
+TEST(AddWords, BreaksLinesAtBlanks) {
+  Drawing drawing;
+  EXPECT_DOUBLE_EQ(add_words(drawing, "short", 10, 14), 10);
+  EXPECT_DOUBLE_EQ(add_words(drawing, std::string(40, 'a') + " " + std::string(40, 'b'), 10, 14),
+                   10 + 1.4 * 14);
+  const std::vector<Words> words = drawn<Words>(drawing);
+  ASSERT_EQ(words.size(), 3U);
+  EXPECT_EQ(words[1].text, std::string(40, 'a'));
+  EXPECT_EQ(words[2].text, std::string(40, 'b'));
+}
+
 Raster<Rgb> numbered(int rows, int cols) {
   Raster<Rgb> picture(rows, cols);
   for (std::size_t i = 0; i < picture.size(); ++i) picture.data[i] = {static_cast<std::uint8_t>(i), 100, 200};

@@ -84,10 +84,25 @@ TEST(StrainUnit, OfARunIsThatOfItsLargestStrain) {
   EXPECT_EQ(strain_unit(result).name, "%");
 }
 
+/// Pulled to 1 MPa and then to a lower stress.
+mpm::Result run_that_falls_to(double stress) {
+  mpm::Result result;
+  result.peak_stress = 1e6;
+  result.peak_strain = 118.4e-6;
+  result.history.push_back({.strain = 118.4e-6, .stress = 1e6});
+  result.history.push_back({.strain = 200e-6, .stress = stress});
+  return result;
+}
+
+TEST(StrainWords, CallNoStrainThatOfAPeakThatIsNone) {
+  EXPECT_EQ(output::strain_words(run_that_falls_to(0.97e6), 118e-6, 0),
+            "118 microstrain, 100\u00A0% of the strain at the largest stress, which is no peak");
+}
+
 TEST(StrainWords, NameTheShareOfThePeakWhereThereIsOne) {
   mpm::Result result;
   EXPECT_EQ(output::strain_words(result, 118e-6, 1), "118 microstrain");
-  result.peak_strain = 118.4e-6;
+  result = run_that_falls_to(0.5e6);
   EXPECT_EQ(output::strain_words(result, 118e-6, 0), "118 microstrain, 100\u00A0% of the peak strain");
   EXPECT_EQ(output::strain_words(result, 118e-6, 1), "118 microstrain, 99.7\u00A0% of the peak strain");
 }

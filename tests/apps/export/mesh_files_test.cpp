@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "tests/apps/export/small_mask.hpp"
 #include "tests/specimen/temporary_folder.hpp"
 
@@ -59,6 +61,53 @@ TEST(Abaqus, LeavesOutTheSetOfAnEdgeThatIsVoid) {
 
 TEST(Abaqus, InventsNoMaterial) {
   EXPECT_THAT(written_abaqus(test::mask_of({"2"})), Not(HasSubstr("\n*MATERIAL")));
+}
+
+std::string written_test(const std::vector<std::string>& rows, const exchange::ElasticTest& elastic) {
+  const test::TemporaryFolder folder;
+  const specimen::LabelledMask mask = test::mask_of(rows, 0.5e-3);
+  exchange::write_abaqus(folder / "a.inp", exchange::PixelMesh(mask), PlaneElement::strain, elastic);
+  return test::read_text(folder / "a.inp");
+}
+
+exchange::ElasticTest elastic_test() {
+  exchange::ElasticTest elastic;
+  elastic.materials = {std::nullopt, {{40e9, 0.2, 2400}}, {{20e9, 0.25, 2300}}};
+  return elastic;
+}
+
+TEST(Abaqus, HasMaterialsAndAStepOfATest) {
+  const std::string text = written_test({"12", "22"}, elastic_test());
+  EXPECT_THAT(text, Not(HasSubstr("Before an analysis")));
+  EXPECT_EQ(
+      text.substr(text.find("*MATERIAL")),
+      "*MATERIAL, NAME=M_AGGREGATE\n*ELASTIC\n4e+10, 0.2\n*DENSITY\n2400\n"
+      "*SOLID SECTION, ELSET=AGGREGATE, MATERIAL=M_AGGREGATE\n1.\n"
+      "*MATERIAL, NAME=M_MORTAR\n*ELASTIC\n2e+10, 0.25\n*DENSITY\n2300\n"
+      "*SOLID SECTION, ELSET=MORTAR, MATERIAL=M_MORTAR\n1.\n"
+      "** The top edge is moved by a strain of 0.0001 over the height; the sum of the reactions, over the "
+      "width, is the stress.\n"
+      "*BOUNDARY\nBOTTOM, 2, 2\n7, 1, 1\n*STEP\n*STATIC\n*BOUNDARY\nTOP, 2, 2, 1e-07\n"
+      "*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE FILE\nU\n*EL FILE\nS, E\n*END STEP\n");
+}
+
+TEST(Abaqus, HoldsTheEdgesBetweenRoughPlatens) {
+  exchange::ElasticTest elastic = elastic_test();
+  elastic.rough = true;
+  elastic.strain = -1e-4;
+  const std::string text = written_test({"2"}, elastic);
+  EXPECT_THAT(text, HasSubstr("BOTTOM, 2, 2\nBOTTOM, 1, 1\nTOP, 1, 1\n*STEP"));
+  EXPECT_THAT(text, HasSubstr("TOP, 2, 2, -5e-08\n"));
+}
+
+TEST(Abaqus, SaysWhatATestLacks) {
+  exchange::ElasticTest elastic = elastic_test();
+  elastic.materials.pop_back();
+  const std::string text = written_test({"00", "12"}, elastic);
+  EXPECT_THAT(text, HasSubstr("**   *MATERIAL, NAME=M_MORTAR\n"));
+  EXPECT_THAT(text, Not(HasSubstr("\n*MATERIAL, NAME=M_MORTAR")));
+  EXPECT_THAT(text, HasSubstr("\n*MATERIAL, NAME=M_AGGREGATE"));
+  EXPECT_THAT(text, Not(HasSubstr("*STEP"))) << "the top edge is void";
 }
 
 std::string written_gmsh(const specimen::LabelledMask& mask) {

@@ -24,6 +24,16 @@ TEST(Comparison, ShowsFiguresWithTheirDistanceFromTheFirst) {
   EXPECT_THAT(page, HasSubstr("The scenes are identical."));
 }
 
+TEST(Comparison, TellsNoDistanceFromAPeakOfWhatIsNone) {
+  auto runs = two_runs();
+  std::erase_if(runs[1].result.history, [](const mpm::HistoryRow& row) { return row.strain > 144e-6; });
+  EXPECT_THAT(comparison_html(runs, {}),
+              HasSubstr("Peak stress [MPa]</th><td>3.43</td><td>4.29, no peak</td>"));
+  std::swap(runs[0], runs[1]);
+  EXPECT_THAT(comparison_html(runs, {}),
+              HasSubstr("Peak stress [MPa]</th><td>4.29, no peak</td><td>3.43</td>"));
+}
+
 TEST(Comparison, ShowsSettingsThatDiffer) {
   const std::string page = comparison_html(two_runs(), {{"damage.seed", {"1", ""}}});
   EXPECT_THAT(page, HasSubstr("damage.seed</th><td>1</td><td>–</td>"));

@@ -50,6 +50,8 @@ TEST(Report, CallsNothingAPeakThatIsNone) {
   EXPECT_THAT(page, HasSubstr("Largest stress, no peak</th><td>3.43</td>"));
   EXPECT_THAT(page, HasSubstr("no peak: largest 3.43 MPa at 144 microstrain"));
   EXPECT_THAT(page, Not(HasSubstr("Peak stress</th>")));
+  EXPECT_THAT(page, Not(HasSubstr("of the peak strain")));
+  EXPECT_EQ(count(page, "% of the strain at the largest stress, which is no peak</b>"), 3U);
 }
 
 TEST(Report, TellsAFaultInItsSectionAndWritesTheRest) {
@@ -81,12 +83,11 @@ TEST(Report, ShowsEveryPictureInColourAndGrey) {
 }
 
 TEST(Report, SaysWhichPicturesAreMissing) {
-  const FakeRun run = tension_run(60, 60);
+  const FakeRun run = tension_run(60, 110);
   const std::string page = report_html(run.record());
-  EXPECT_EQ(count(page, "% of the peak strain</b>"), 2U);
-  EXPECT_THAT(page,
-              HasSubstr("The run ended at 60 % of the peak strain: there is no picture of damage at 75 %, "
-                        "100 %, 125 % and 150 %."));
+  EXPECT_EQ(count(page, "% of the peak strain</b>"), 4U);
+  EXPECT_THAT(page, HasSubstr("The run ended at 110 % of the peak strain: there is no picture of damage at "
+                              "125 % and 150 %."));
 }
 
 TEST(Report, ShowsTheDamageAtTheEndBetweenTwoStages) {

@@ -38,6 +38,22 @@ TEST(Summary, SaysWhetherThereIsAPeak) {
   EXPECT_EQ(summary(rising.record())["peak_reached"], false);
 }
 
+TEST(Summary, HasNoFigureOfAPeakThatIsNone) {
+  const json reached = summary(tension_run(30).record());
+  EXPECT_EQ(reached["largest_stress_Pa"], 3.43e6);
+  EXPECT_EQ(reached["strain_at_largest_stress"], 144e-6);
+  EXPECT_EQ(reached["damage_pictures"][0]["percent_of_peak_strain"], 25);
+  FakeRun rising = tension_run(30);
+  std::erase_if(rising.result.history, [](const mpm::HistoryRow& row) { return row.strain > 144e-6; });
+  const json figures = summary(rising.record());
+  EXPECT_TRUE(figures["peak_stress_Pa"].is_null());
+  EXPECT_TRUE(figures["peak_strain"].is_null());
+  EXPECT_EQ(figures["largest_stress_Pa"], 3.43e6);
+  EXPECT_EQ(figures["strain_at_largest_stress"], 144e-6);
+  EXPECT_TRUE(figures["damage_pictures"][0]["percent_of_peak_strain"].is_null());
+  EXPECT_EQ(figures["damage_pictures"][0]["percent_of_strain_at_largest_stress"], 25);
+}
+
 TEST(Summary, HoldsTheSettingAndTheSource) {
   const FakeRun run = compression_run(30);
   const RunRecord record = run.record();

@@ -14,7 +14,9 @@ struct Square {
   Square() {
     mask.labels = specimen::Raster<std::uint8_t>(60, 60, specimen::phase::mortar);
     mask.pixel_size = 1e-3;
+    result.peak_stress = 1e6;
     result.peak_strain = 100e-6;
+    result.history = {{.strain = 100e-6, .stress = 1e6}, {.strain = 300e-6, .stress = 0}};
     result.failure_strain = mpm::PixelField<float>::Constant(60, 60, std::numeric_limits<float>::quiet_NaN());
   }
   /// @param height  of the row of pixels [mm from below].
@@ -34,6 +36,13 @@ TEST(CrackPlace, IsWhereMostFailAfterThePeak) {
   const CrackPlace place = crack_between(square.mask, square.result, 0, 60e-3);
   EXPECT_NEAR(place.height, 40.5e-3, 1e-9);
   EXPECT_NEAR(place.share, 41.0 / 52, 1e-12);
+}
+
+TEST(CrackPlace, IsNowhereInARunWithoutAPeak) {
+  Square square;
+  square.crack(40, 10, 50, 120e-6F);
+  square.result.history.pop_back();
+  EXPECT_TRUE(std::isnan(crack_between(square.mask, square.result, 0, 60e-3).height));
 }
 
 TEST(CrackPlace, WhatFailsUpToThePeakOrBeyondTheEndIsNoCrack) {

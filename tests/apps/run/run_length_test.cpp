@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "apps/text/complaint.hpp"
 
 namespace run_length_test {
@@ -32,6 +34,31 @@ TEST(RunLength, IsNotSaidOfEquilibriumWhichHasNoSteps) {
   mpm::Scene scene = block(1e-5);
   scene.method = mpm::SolverMethod::quasi_static;
   EXPECT_EQ(app::announcement(scene), "");
+}
+
+TEST(RunLength, OfRunsSideBySideIsSharedByTheWorkers) {
+  const mpm::Scene scene = block(1e-5);
+  const app::RunSize size = app::size_of(scene);
+  EXPECT_EQ(size.points, 64);
+  EXPECT_GT(size.steps, 500'000);
+  const app::RunSize large{1'000'000, size.steps};
+  const auto sample = [&] { return scene; };
+  const double alone = app::time_of_runs({large}, sample, 2), four = app::time_of_runs({4, large}, sample, 2);
+  EXPECT_GT(alone, 0);
+  EXPECT_NEAR(four / alone, 2, 1.5);  // measured twice
+}
+
+TEST(RunLength, OfShortRunsIsNotMeasured) {
+  const auto sample = []() -> mpm::Scene { throw std::logic_error("made for nothing"); };
+  EXPECT_EQ(app::time_of_runs(std::vector<app::RunSize>(100, {64, 1000}), sample, 2), 0);
+  EXPECT_EQ(app::time_of_runs({}, sample, 2), 0);
+}
+
+TEST(RunLength, IsAnUpperBoundWhereADropEndsTheRun) {
+  mpm::Scene scene = block(1e-5);
+  EXPECT_THAT(app::announcement(scene), testing::HasSubstr("which takes about "));
+  scene.loading.stop_drop = 0.5;
+  EXPECT_THAT(app::announcement(scene), testing::HasSubstr("which takes up to "));
 }
 
 TEST(RunLength, HasAUnitThatFits) {

@@ -63,10 +63,8 @@ class StressPlot : public testing::Test {
     run_.scene.phases.resize(4);
     run_.result = fake.result;
     run_.result.peak_strain = 1e-4;
-    for (int i = 0; i < 3; ++i) {
-      run_.result.history.emplace_back();
-      run_.result.history.back().strain = 6e-5 * i;
-    }
+    run_.result.peak_stress = 1e6;
+    run_.result.history = {{}, {.strain = 1e-4, .stress = 1e6}, {.strain = 1.2e-4, .stress = 5e5}};
   }
   void write(const std::vector<mpm::Frame>& frames) {
     app::FrameFolder folder(run_folder_, run_.scene);

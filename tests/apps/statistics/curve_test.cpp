@@ -22,6 +22,13 @@ TEST(Curve, NormalisedHasItsPeakAtOne) {
   EXPECT_NEAR(curve.strain.back(), 3, 1e-12);
 }
 
+TEST(Curve, HasAPeakOnceItHasFallenAgain) {
+  EXPECT_TRUE((Curve{{0, 1, 2}, {0, 1e6, 0.9e6}}).has_peak());
+  EXPECT_FALSE((Curve{{0, 1, 2}, {0, 1e6, 0.97e6}}).has_peak());
+  EXPECT_FALSE((Curve{{0, 1, 2}, {0, 1e6, 2e6}}).has_peak());
+  EXPECT_FALSE((Curve{{0, 1}, {0, -1}}).has_peak()) << "it never rose";
+}
+
 TEST(Curve, ThatSnapsBackIsSeenByPlatensThatNeverDo) {
   mpm::Result result;
   for (const auto& [strain, stress] : std::vector<std::pair<double, double>>{

@@ -200,6 +200,20 @@ TEST_F(StudyRun, TellsAFolderApartWhoseMembersAnotherVersionHasNamed) {
   EXPECT_TRUE(std::filesystem::exists(folder_.file("format.json")));
 }
 
+TEST_F(StudyRun, TellsWhatALongStudyTakes) {
+  const auto told = [&](const std::string& text) {
+    study_ = test::small_study(files_, text);
+    members_ = list_members(study_);
+    folder_.open(study_, members_);
+    return announcement(folder_, members_, check_scenes(study_, members_).sizes, 2);
+  };
+  EXPECT_EQ(told("seeds = 2\n"), "");
+  EXPECT_THAT(told("seeds = 3\n[vary]\n\"loading.velocity\" = [\"1e-5 mm/s\"]\n"),
+              testing::ContainsRegex("^3 members of up to [0-9]+ points and [0-9]+ steps, which take "
+                                     "(about|up to) .* here, 2 at a time$"));
+  EXPECT_EQ(told("seeds = 2\n[vary]\n\"solver.method\" = [\"quasi_static\"]\n"), "");
+}
+
 TEST_F(StudyRun, RefusesAResultThatIsNotThatOfTheMember) {
   run("seeds = 2\n", 1);
   std::filesystem::copy_file(folder_.result_file(members_[0]), folder_.result_file(members_[1]),

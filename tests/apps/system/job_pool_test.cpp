@@ -36,6 +36,16 @@ TEST(JobPool, OneWorkerDoesThemInTheirOrder) {
   EXPECT_THAT(order, ElementsAre(1, 2, 3));
 }
 
+TEST(JobPool, HoldsWorkersToTheCores) {
+  const int cores = app::core_count();
+  EXPECT_EQ(app::workers_within_cores(1, "--jobs").count, 1);
+  EXPECT_EQ(app::workers_within_cores(cores, "--jobs").note, "");
+  const app::Workers held = app::workers_within_cores(cores + 62, "--jobs");
+  EXPECT_EQ(held.count, cores);
+  EXPECT_THAT(held.note, testing::StartsWith("--jobs " + std::to_string(cores + 62) +
+                                             " is more than there are cores: there "));
+}
+
 TEST(JobPool, UsesSeveralThreadsAtOnce) {
   std::atomic<int> waiting = 0;
   const auto meet = [&] {

@@ -134,6 +134,42 @@ TEST_F(ResultFile, CarriesAUnitOnEveryColumn) {
   H5Fclose(file);
 }
 
+double attribute(const std::string& path, const char* name) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t attribute = H5Aopen(file, name, H5P_DEFAULT);
+  double value = -1;
+  EXPECT_GE(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), 0) << name;
+  H5Aclose(attribute);
+  H5Fclose(file);
+  return value;
+}
+
+TEST_F(ResultFile, NamesNoPeakThatIsNone) {
+  mpm::Result result = odd_result();
+  result.history = {{}, {.strain = result.peak_strain, .stress = result.peak_stress}};
+  mpm::write_result(path_, result, "");
+  EXPECT_TRUE(std::isnan(attribute(path_, "peak_stress_Pa")));
+  EXPECT_TRUE(std::isnan(attribute(path_, "peak_strain")));
+  EXPECT_EQ(attribute(path_, "largest_stress_Pa"), result.peak_stress);
+  EXPECT_EQ(attribute(path_, "strain_at_largest_stress"), result.peak_strain);
+  expect_same(mpm::read_result(path_), result);
+  result.history.push_back({.strain = 2 * result.peak_strain, .stress = 0.5 * result.peak_stress});
+  mpm::write_result(path_, result, "");
+  EXPECT_EQ(attribute(path_, "peak_stress_Pa"), result.peak_stress);
+  EXPECT_EQ(attribute(path_, "peak_strain"), result.peak_strain);
+}
+
+TEST_F(ResultFile, IsReadWhereAnOlderVersionCalledTheLargestStressAPeak) {
+  mpm::Result result = odd_result();
+  result.history = {{}, {.strain = result.peak_strain, .stress = result.peak_stress}, {.strain = 1e-3}};
+  mpm::write_result(path_, result, "");
+  damage([](hid_t file) {
+    ASSERT_GE(H5Adelete(file, "largest_stress_Pa"), 0);
+    ASSERT_GE(H5Adelete(file, "strain_at_largest_stress"), 0);
+  });
+  expect_same(mpm::read_result(path_), result);
+}
+
 TEST_F(ResultFile, SaysWhyItCannotBeWritten) {
   std::ofstream(folder_ / "file") << "";
   try {

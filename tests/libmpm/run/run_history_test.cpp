@@ -229,6 +229,30 @@ TEST(Rows, LieCloseUpToThePeakWhateverTheStopStrain) {
   }
 }
 
+TEST(NextFrame, IsAWholeNumberOrCloserFarBeforeTheEnd) {
+  EXPECT_EQ(mpm::next_frame(40, 0, 0), 1);
+  EXPECT_EQ(mpm::next_frame(40, 0, 0.3), 13);
+  EXPECT_EQ(mpm::next_frame(40, 0.3, 0), 1) << "the end is not far";
+  EXPECT_DOUBLE_EQ(mpm::next_frame(40, 0.01, 0), 0.05);
+  EXPECT_DOUBLE_EQ(mpm::next_frame(40, 0.01, 0.02), 0.9);
+  EXPECT_EQ(mpm::next_frame(40, 0.01, 0.25), 11);
+}
+
+TEST(Frames, ShowTheFailureOfARunThatEndsLongBeforeItsStopStrain) {
+  mpm::Scene scene = samples::pulled(samples::small_concrete(20, 20));
+  scene.loading.stop_drop = 0.5;
+  scene.loading.stop_strain = 2e-2;
+  scene.frames = 40;
+  std::vector<double> strains;
+  const mpm::Result result =
+      mpm::simulate(scene, {.frames = [&](const mpm::Frame& frame) { strains.push_back(frame.strain); }});
+  ASSERT_EQ(result.stop, mpm::StopReason::drop);
+  EXPECT_GE(std::count_if(strains.begin(), strains.end(),
+                          [&](double strain) { return strain <= result.peak_strain; }),
+            8);
+  EXPECT_LE(strains.size(), 80U);
+}
+
 TEST(Rows, AreThoseOfThePlanWhereNothingCanFail) {
   const mpm::Scene scene = samples::unbreakable(samples::mortar_block(20, 20));
   EXPECT_EQ(mpm::early_strain(scene), 0);

@@ -57,6 +57,13 @@ TEST(PeakReached, OnlyOnceTheStressHasFallenAgain) {
   EXPECT_FALSE(mpm::peak_reached(run_through({-1, -2}))) << "the stress never rose above 0";
 }
 
+TEST(PeakOf, IsNoNumberWhereThereIsNone) {
+  EXPECT_EQ(mpm::peak_of(run_through({1, 2, 3, 1}), &mpm::Result::peak_stress), 3e6);
+  EXPECT_DOUBLE_EQ(mpm::peak_of(run_through({1, 2, 3, 1}), &mpm::Result::peak_strain), 3e-4);
+  EXPECT_TRUE(std::isnan(mpm::peak_of(run_through({1, 2, 3}), &mpm::Result::peak_stress)));
+  EXPECT_TRUE(std::isnan(mpm::peak_of(run_through({}), &mpm::Result::peak_strain)));
+}
+
 TEST(PeakReached, TellsHowFarTheStressHasFallen) {
   EXPECT_DOUBLE_EQ(mpm::fall_after_peak(run_through({1, 4, 3, 3.5})), 0.25);
   EXPECT_EQ(mpm::fall_after_peak(run_through({1, 2, 3})), 0);

@@ -252,6 +252,57 @@ TEST(Convert, OtsuOnAChannelFindsTheSameStones) {
   EXPECT_GT(iou[specimen::phase::aggregate], 0.8);
 }
 
+/// The names in the note on the classes of colours, darkest first.
+std::vector<std::string> noted_phases(const Converted& converted) {
+  std::vector<std::string> names;
+  for (const std::string& note : converted.report.notes) {
+    if (note.rfind("phases of the classes", 0) != 0) continue;
+    for (std::size_t at = note.find(" = "); at != std::string::npos; at = note.find(" = ", at + 3))
+      names.push_back(note.substr(at + 3, note.find(" (", at) - at - 3));
+  }
+  return names;
+}
+
+TEST(Convert, NamesTheClassesOfColoursThatWereTold) {
+  const Scratch scratch;
+  specimen::write_png(scratch.file("stones.png"), stones(), 0.5e-3);
+  ConvertOptions options;
+  const Converted first = convert(scratch.file("stones.png"), options);
+  options.class_phases = noted_phases(first);
+  ASSERT_GE(options.class_phases.size(), 2U);
+  EXPECT_EQ(convert(scratch.file("stones.png"), options).segmented.mask.labels.data,
+            first.segmented.mask.labels.data)
+      << "the same names are the same mask";
+  for (std::string& name : options.class_phases) name = name == "mortar" ? "paste" : name;
+  const Converted renamed = convert(scratch.file("stones.png"), options);
+  EXPECT_EQ(noted_phases(renamed), options.class_phases);
+  options.class_phases.push_back("one more");
+  try {
+    (void)convert(scratch.file("stones.png"), options);
+    FAIL() << "a name without a class";
+  } catch (const specimen::Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(", told by a conversion without names; name each of them"));
+  }
+  options.classes = static_cast<int>(options.class_phases.size());
+  EXPECT_EQ(noted_phases(convert(scratch.file("stones.png"), options)), options.class_phases);
+}
+
+TEST(Convert, KeepsWhatTheMaskCoversOfAPhotograph) {
+  const Scratch scratch;
+  specimen::write_png(scratch.file("stones.png"), stones(), 0.5e-3);
+  ConvertOptions options;
+  options.pixels = 150;
+  const Converted converted = convert(scratch.file("stones.png"), options);
+  ASSERT_EQ(converted.photograph.cols, 600);
+  ASSERT_EQ(converted.photograph.rows, 4 * converted.segmented.mask.labels.rows);
+  EXPECT_EQ(converted.photograph(599 * 60 / 400, 599 * 330 / 400).r, stones()(59, 329).r);
+  const std::string map = scratch.write("t.pgm", std::string("P2 4 2 255  1 1 2 2  1 2 2 2"));
+  options.source_pixel_size = 1e-3;
+  options.pixels = 0;
+  options.label_phases = {{1, "aggregate"}, {2, "mortar"}};
+  EXPECT_TRUE(convert(map, options).photograph.empty());
+}
+
 TEST(Convert, GivesTheSameMaskEveryTime) {
   const Scratch scratch;
   specimen::write_png(scratch.file("stones.png"), stones(), 0.5e-3);

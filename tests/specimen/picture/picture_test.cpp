@@ -131,6 +131,28 @@ TEST(Preview, KeepsThePhasesApart) {
           << first << " and " << second;
 }
 
+TEST(Overlay, ShowsThePhotographAndTheMaskOverIt) {
+  specimen::LabelledMask mask;
+  mask.labels = specimen::Raster<std::uint8_t>(2, 3, specimen::phase::mortar);
+  mask.labels(0, 2) = specimen::phase::aggregate;
+  const Rgb grey{100, 100, 100};
+  const specimen::Raster<Rgb> photograph(8, 12, grey);
+  const specimen::Raster<Rgb> both = specimen::overlay(photograph, mask);
+  ASSERT_EQ(both.rows, 8);
+  ASSERT_EQ(both.cols, 12 + 12 + 12);
+  EXPECT_EQ(both(3, 11), grey) << "the photograph as it is";
+  const Rgb mortar = phase_colour(specimen::phase::mortar);
+  EXPECT_EQ(both(6, 24), (Rgb{static_cast<std::uint8_t>((100 + mortar.r) / 2),
+                              static_cast<std::uint8_t>((100 + mortar.g) / 2),
+                              static_cast<std::uint8_t>((100 + mortar.b) / 2)}));
+  EXPECT_EQ(both(1, 24 + 7), (Rgb{0, 0, 0})) << "where mortar and aggregate meet";
+  EXPECT_EQ(both(3, 24 + 9), (Rgb{0, 0, 0}));
+  EXPECT_NE(both(1, 24 + 10), (Rgb{0, 0, 0}));
+  const Scratch scratch;
+  specimen::write_overlay(scratch.file("o.png"), photograph, mask);
+  EXPECT_EQ(specimen::read_picture(scratch.file("o.png")).origin, specimen::Origin::drawing);
+}
+
 TEST(Preview, ShowsEveryPixelWhereItIs) {
   specimen::LabelledMask mask;
   mask.labels = specimen::Raster<std::uint8_t>(2, 3, specimen::phase::mortar);
