@@ -224,6 +224,7 @@ class Sorter {
   /// bridge, of about a pixel. Two stones must not become one because a picture was made smaller.
   [[nodiscard]] bool is_trace(int r, int c, std::int32_t tone, std::int32_t other) const {
     constexpr double least = 0.25;
+    if (lossy_) return false;  // compression leaves such traces of its own along every edge
     const double mine = share_between(picture_(r, c), tone, other);
     if (mine < least) return false;
     const auto reaches_tone = [&](int dr, int dc) {
