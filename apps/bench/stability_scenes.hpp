@@ -112,7 +112,9 @@ struct Flight {
   mpm::MovingSolver<double> solver;
 
   explicit Flight(mpm::Scene what)
-      : scene(std::move(what)), plan(mpm::plan(scene)), solver(scene, plan, mpm::start_of(scene, plan)) {}
+      : scene(std::move(what)),
+        plan(mpm::plan(scene)),
+        solver(scene, plan, mpm::pictured_start(scene, plan)) {}
   Flight(const Flight&) = delete;
   Flight& operator=(const Flight&) = delete;
 };

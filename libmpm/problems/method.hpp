@@ -89,7 +89,7 @@ struct Moving {
   explicit Moving(Scene what)
       : scene(std::move(what)),
         plan(mpm::plan(scene)),
-        solver(scene, plan, start_of(scene, plan)),
+        solver(scene, plan, pictured_start(scene, plan)),
         meter(count_points(scene)) {}
   Moving(const Moving&) = delete;
   Moving& operator=(const Moving&) = delete;

@@ -66,7 +66,7 @@ template <class Real>
 StaticPlate pull_in(const Scene& scene) {
   const Plan plan = mpm::plan(scene);
   if (scene.kinematics == Kinematics::moving) {
-    MovingSolver<Real> solver(scene, plan, start_of(scene, plan));
+    MovingSolver<Real> solver(scene, plan, pictured_start(scene, plan));
     return pull_to_the_end(scene, solver, [](const auto& it) { return it.points(); });
   }
   LatticeSolver<Real> solver(scene, plan);

@@ -51,7 +51,8 @@ class StretchesOf : public Stretches {
 
 template <class Real>
 std::unique_ptr<Stretches> stretches_of(const Scene& scene, const Plan& plan, bool moving) {
-  if (moving) return std::make_unique<StretchesOf<MovingSolver<Real>>>(scene, plan, start_of(scene, plan));
+  if (moving)
+    return std::make_unique<StretchesOf<MovingSolver<Real>>>(scene, plan, pictured_start(scene, plan));
   return std::make_unique<StretchesOf<LatticeSolver<Real>>>(scene, plan);
 }
 

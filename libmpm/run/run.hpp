@@ -25,7 +25,7 @@ class Run {
     result_.threads = plan.threads;
     result_.instruction_set = chosen_kernels(scene.instruction_set).name;
     result_.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
-    add_row(result_, first_row(scene, plan), scene.loading.direction);
+    add_row(result_, first_row(scene), scene.loading.direction);
     if (scene.loading.direction == Direction::none) result_.stop = StopReason::time;
   }
 

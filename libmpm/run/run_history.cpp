@@ -53,10 +53,11 @@ double strain_of(const Scene& scene, const Ledger& ledger) {
 }
 
 /// Kinetic energy of a specimen in flight [J/m].
-double kinetic_energy_at_start(const Scene& scene, const Plan& plan) {
+double kinetic_energy_at_start(const Scene& scene) {
   double energy = 0;
-  for (const StartPoint& point : start_of(scene, plan).points)
+  for_each_start_point(scene, [&](const StartPoint& point) {
     energy += 0.5 * point.mass * (point.vx * point.vx + point.vy * point.vy);
+  });
   return energy;
 }
 
@@ -72,9 +73,9 @@ double imbalance(const HistoryRow& row, const HistoryRow& first) {
 
 }  // namespace
 
-HistoryRow first_row(const Scene& scene, const Plan& plan) {
+HistoryRow first_row(const Scene& scene) {
   HistoryRow rest;
-  if (scene.loading.direction == Direction::none) rest.kinetic = kinetic_energy_at_start(scene, plan);
+  if (scene.loading.direction == Direction::none) rest.kinetic = kinetic_energy_at_start(scene);
   return rest;
 }
 

@@ -31,7 +31,7 @@ struct Divergence {
 [[nodiscard]] std::string divergence_text(const Scene& scene, const Plan& plan, const Divergence& divergence);
 
 /// The row of the initial state.
-[[nodiscard]] HistoryRow first_row(const Scene& scene, const Plan& plan);
+[[nodiscard]] HistoryRow first_row(const Scene& scene);
 
 /// The row of a ledger, without the number of moving points.
 [[nodiscard]] HistoryRow history_row(const Scene& scene, const Ledger& ledger);

@@ -35,7 +35,7 @@ template <class Real>
 Result run_from_the_start(const Scene& scene, const Plan& plan, const RunHooks& hooks) {
   Run run(scene, plan, hooks);
   if (scene.kinematics == Kinematics::moving)
-    return run_moving<Real>(scene, plan, run, start_of(scene, plan));
+    return run_moving<Real>(scene, plan, run, pictured_start(scene, plan));
   LatticeSolver<Real> solver(scene, plan);
   return run_lattice(scene, plan, run, solver);
 }

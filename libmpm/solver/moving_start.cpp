@@ -13,9 +13,7 @@ void StartPoint::take(const PointState& state) {
   ghost = state.spent && state.kept < 1;
 }
 
-MovingStart start_of(const Scene& scene, const Plan& plan) {
-  MovingStart start;
-  start.maps = empty_maps(scene, plan);
+void for_each_start_point(const Scene& scene, const std::function<void(const StartPoint&)>& visit) {
   const auto count = points_per_pixel(scene);
   const double area = scene.pixel_size * scene.pixel_size;
   const bool flies = scene.loading.direction == Direction::none;
@@ -29,11 +27,10 @@ MovingStart start_of(const Scene& scene, const Plan& plan) {
     point.y = y;
     point.volume = area * share;
     point.mass = phase.density * point.volume;
-    start.points.push_back(point);
+    visit(point);
   };
   const auto rows = scene.labels.rows();
   const auto cols = scene.labels.cols();
-  start.points.reserve(static_cast<std::size_t>(rows * cols) + scene.extra_points.size());
   for (Eigen::Index row = 0; row < rows; ++row) {
     for (Eigen::Index col = 0; col < cols; ++col) {
       const auto& phase = scene.phases[scene.labels(row, col)];
@@ -50,6 +47,20 @@ MovingStart start_of(const Scene& scene, const Plan& plan) {
     point.id = static_cast<std::uint32_t>(static_cast<std::size_t>(rows * cols) + i);
     add(extra.x, extra.y, *scene.phases[extra.phase], 1.0 / count(pixel.row, pixel.col));
   }
+}
+
+MovingStart start_of(const Scene& scene, const Plan& plan) {
+  MovingStart start;
+  start.maps = empty_maps(scene, plan);
+  start.points.reserve(static_cast<std::size_t>(scene.labels.size()) + scene.extra_points.size());
+  for_each_start_point(scene, [&](const StartPoint& point) { start.points.push_back(point); });
+  return start;
+}
+
+MovingStart pictured_start(const Scene& scene, const Plan& plan) {
+  MovingStart start;
+  start.maps = empty_maps(scene, plan);
+  start.as_pictured = true;
   return start;
 }
 

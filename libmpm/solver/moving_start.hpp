@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct StartPoint {
 
 struct MovingStart {
   std::vector<StartPoint> points;
+  bool as_pictured = false;  ///< the points are those of for_each_start_point(); `points` is empty
   std::int64_t step = 0;
   double time = 0;                 ///< [s]
   double platen_displacement = 0;  ///< of the top platen, upwards positive [m]
@@ -39,8 +41,12 @@ struct MovingStart {
   FailureMaps maps;
 };
 
-/// The specimen as the picture shows it, without stress, at its initial velocity.
+/// Visit the points of the specimen as the picture shows it, without stress, at its initial velocity.
+void for_each_start_point(const Scene& scene, const std::function<void(const StartPoint&)>& visit);
+/// The same as a start, with its points in a list.
 [[nodiscard]] MovingStart start_of(const Scene& scene, const Plan& plan);
+/// The same without a list, which would take as much memory as the solver itself.
+[[nodiscard]] MovingStart pictured_start(const Scene& scene, const Plan& plan);
 
 /// A point by its id: what the scene says of it.
 struct PointOrigin {

@@ -93,6 +93,21 @@ void MovingPoints<Real>::grow(Row& row) {
   row = std::move(grown);
 }
 
+/// A block that is wanted gets one record more: for the first point that comes from beside it.
+template <class Real>
+void MovingPoints<Real>::reserve(int row_index, const std::vector<std::int32_t>& records) {
+  Row& row = rows_[static_cast<std::size_t>(row_index)];
+  std::int32_t all = 0;
+  for (std::size_t block = 0; block < records.size(); ++block) {
+    row.begin[block] = all;
+    row.capacity[block] = records[block] > 0 ? records[block] + 1 : 0;
+    all += row.capacity[block];
+  }
+  row.records.assign(static_cast<std::size_t>(all) * static_cast<std::size_t>(layout_.fields * lanes_),
+                     Real(0));
+  row.ids.assign(static_cast<std::size_t>(all) * static_cast<std::size_t>(lanes_), 0);
+}
+
 template <class Real>
 void MovingPoints<Real>::add_record(int row_index, int block) {
   Row& row = rows_[static_cast<std::size_t>(row_index)];

@@ -54,6 +54,8 @@ class MovingPoints {
   [[nodiscard]] std::uint32_t id(const Slot& slot) const;
   [[nodiscard]] bool is_point(const Slot& slot) const { return value(slot, moving::mass) > 0; }
 
+  /// Room in a row that holds no points yet.   @param records  wanted of each block, shape (blocks).
+  void reserve(int row, const std::vector<std::int32_t>& records);
   void insert(const Loose& point);
   /// The lane stays empty until `trim`.
   [[nodiscard]] Loose take_out(const Slot& slot);

@@ -84,7 +84,8 @@ MovingSolver<Real>::MovingSolver(const Scene& scene, const Plan& plan, MovingSta
   step_.hx = static_cast<Real>(plan.cell_size);
   step_.flip_ratio = static_cast<Real>(scene.motion.flip_ratio);
   step_.unilateral = static_cast<Real>(scene.damage.crack_closure == CrackClosure::unilateral ? 1 : 0);
-  load_points(start.points);
+  reserve_points(start);
+  load_points(start);
   for (Band& band : bands_) band.flags.assign(static_cast<std::size_t>(points_.blocks()), 0);
 }
 
@@ -217,14 +218,46 @@ void MovingSolver<Real>::write_state(const PointState& state, Real* fields, int 
   if (layout.cracked >= 0) at(layout.cracked) = static_cast<Real>(state.cracked);
 }
 
+namespace {
+
+template <class Visit>
+void for_each_point(const MovingStart& start, const Scene& scene, const Visit& visit) {
+  if (start.as_pictured) for_each_start_point(scene, visit);
+  for (const StartPoint& point : start.points) visit(point);
+}
+
+}  // namespace
+
+/// Room for as many points as each tile begins with: rows that grow point by point are copied over and over,
+/// and leave their old places behind.
 template <class Real>
-void MovingSolver<Real>::load_points(const std::vector<StartPoint>& points) {
+void MovingSolver<Real>::reserve_points(const MovingStart& start) {
+  const auto cols = static_cast<std::size_t>(geometry_.tiles_x);
+  std::vector<std::int32_t> in_tile(static_cast<std::size_t>(geometry_.tiles_y) * cols, 0);
+  for_each_point(start, scene_, [&](const StartPoint& point) {
+    Real xi = 0, eta = 0;
+    const TilePlace tile = place_of(point.x, point.y, xi, eta);
+    ++in_tile[static_cast<std::size_t>(tile.row) * cols + static_cast<std::size_t>(tile.col)];
+  });
+  std::vector<std::int32_t> records(static_cast<std::size_t>(points_.blocks()));
+  for (int row = 0; row < geometry_.tiles_y; ++row) {
+    std::fill(records.begin(), records.end(), 0);
+    for (int col = 0; col < geometry_.tiles_x; ++col) {
+      std::int32_t& most = records[static_cast<std::size_t>(col / points_.lanes())];
+      most = std::max(most, in_tile[static_cast<std::size_t>(row) * cols + static_cast<std::size_t>(col)]);
+    }
+    points_.reserve(row, records);
+  }
+}
+
+template <class Real>
+void MovingSolver<Real>::load_points(const MovingStart& start) {
   double fastest = 0;
-  for (const StartPoint& point : points) {
+  for_each_point(start, scene_, [&](const StartPoint& point) {
     points_.insert(loose_point(point));
     if (!point.ghost || point.kept > 0) ++live_[origin_of(scene_, point.id).label];
     fastest = std::max(fastest, point.vx * point.vx + point.vy * point.vy);
-  }
+  });
   start_fastest_ = static_cast<Real>(fastest);
 }
 

@@ -102,7 +102,8 @@ class MovingSolver {
   [[nodiscard]] static std::vector<Band> make_bands(const Scene& scene, int count);
   void share_rows();
   [[nodiscard]] std::vector<std::int64_t> work_of_rows() const;
-  void load_points(const std::vector<StartPoint>& points);
+  void load_points(const MovingStart& start);
+  void reserve_points(const MovingStart& start);
   [[nodiscard]] Loose loose_point(const StartPoint& point) const;
   [[nodiscard]] TilePlace place_of(double x, double y, Real& xi, Real& eta) const;
 

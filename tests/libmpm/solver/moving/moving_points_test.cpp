@@ -112,6 +112,22 @@ TYPED_TEST(MovingPoints, FillFreedLanesFirstAndGiveUpEmptyRecords) {
 }
 
 // An empty lane must add nothing to any sum and never be suspect.
+TYPED_TEST(MovingPoints, StayWhereTheyAreInARowThatWasReserved) {
+  const mpm::moving::RecordLayout layout = mpm::record_layout({});
+  mpm::MovingPoints<TypeParam> points(1, 12, 4, layout);
+  points.reserve(0, {2, 0, 1});
+  const TypeParam* const records = points.tile_row(0, 0).records;
+  std::uint32_t id = 0;
+  for (const int col : {0, 0, 3, 9}) points.insert(point<TypeParam>(id++, 0, col, layout.fields));
+  points.insert(point<TypeParam>(id++, 0, 0, layout.fields));  // one from beside it
+  EXPECT_EQ(points.tile_row(0, 0).records, records);
+  EXPECT_EQ(points.used(0, 0), 3);
+  EXPECT_EQ(points.used(0, 1), 0);
+  points.insert(point<TypeParam>(id++, 0, 5, layout.fields));
+  EXPECT_EQ(points.points(0), 6);
+  for (const auto& [one, holds] : content(points)) EXPECT_TRUE(holds.intact) << one;
+}
+
 TYPED_TEST(MovingPoints, EmptyLanesCarryNothing) {
   mpm::moving::OptionalFields optional;
   optional.tension = true;

@@ -116,6 +116,24 @@ TEST(LightNodes, DoNotExplode) {
   }
 }
 
+TEST(MovingSolver, StartsAlikeFromThePictureAndFromAListOfItsPoints) {
+  const Scene scene = thrown_disc();
+  const mpm::Plan plan = mpm::plan(scene);
+  mpm::MovingSolver<double> listed(scene, plan, mpm::start_of(scene, plan));
+  mpm::MovingSolver<double> pictured(scene, plan, mpm::pictured_start(scene, plan));
+  const mpm::Ledger one = listed.advance(20), other = pictured.advance(20);
+  EXPECT_EQ(one.kinetic, other.kinetic);
+  EXPECT_EQ(one.elastic, other.elastic);
+  const auto points = listed.points(), same = pictured.points();
+  ASSERT_EQ(points.size(), same.size());
+  ASSERT_FALSE(points.empty());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i].id, same[i].id);
+    EXPECT_EQ(points[i].x, same[i].x);
+    EXPECT_EQ(points[i].stress.xx, same[i].stress.xx);
+  }
+}
+
 /// As a run on its way to divergence hands them over: no index follows from such a place.
 TEST(MovingSolver, TakesPointsFromAnywhere) {
   const Scene scene = thrown_disc();
