@@ -317,7 +317,7 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
   mask.pixel_size = resample(sorted, rows, cols, options, report.source_pixel_size, report);
   fill_instances(result.segmented, std::move(sorted.cells));
   note_result(result.segmented, report);
-  if (sorted.photograph) result.photograph = part_under(mask, shown_colours(picture));
+  if (sorted.photograph) result.photograph = part_under(mask, sorted.shown);
   return result;
 }
 

@@ -245,6 +245,17 @@ Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertR
   return sorted;
 }
 
+/// Every so many pixels, so that about four million are left.
+Raster<Rgb> thinned(Raster<Rgb> picture) {
+  constexpr double wanted = 4e6;
+  const int every = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(picture.size()) / wanted)));
+  if (every == 1) return picture;
+  Raster<Rgb> part((picture.rows + every - 1) / every, (picture.cols + every - 1) / every);
+  for (int row = 0; row < part.rows; ++row)
+    for (int col = 0; col < part.cols; ++col) part(row, col) = picture(row * every, col * every);
+  return part;
+}
+
 }  // namespace
 
 Sorted segment(Picture picture, const ConvertOptions& options, ConvertReport& report) {
@@ -273,11 +284,13 @@ Sorted segment(Picture picture, const ConvertOptions& options, ConvertReport& re
                                options, report);
     default: {
       map.reset();  // a large picture fills the memory
+      Raster<Rgb> shown = thinned(shown_colours(picture));
       Inside inside = inside_of(std::move(picture), options, report);
       Sorted sorted = report.method == Segmentation::kmeans
                           ? segment_colours(inside.picture, options, report)
                           : segment_thresholds(inside.picture, options, report);
       sorted.outside = std::move(inside.outside);
+      sorted.shown = std::move(shown);
       return sorted;
     }
   }

@@ -19,7 +19,8 @@ struct Sorted {
   bool drawing = false;       ///< a drawing in flat colours
   bool keeps_grains = false;  ///< the grains are those of an instance map
   Raster<std::uint8_t>
-      outside{};  ///< 1 where a photograph shows no specimen, per pixel of it; empty = nowhere
+      outside{};        ///< 1 where a photograph shows no specimen, per pixel of it; empty = nowhere
+  Raster<Rgb> shown{};  ///< a photograph to be looked at, as large as four million pixels show it
 };
 
 /// Segment the picture by the method of the options; the report receives the method, the thresholds and

@@ -21,7 +21,8 @@ class Simulate(unittest.TestCase):
         self.assertFalse(rising.peak_reached)
         self.assertTrue(np.isnan(rising.peak_stress))
         self.assertTrue(np.isnan(rising.peak_strain))
-        self.assertEqual(rising.largest_stress, rising.curve.stress.max())
+        self.assertGreater(rising.largest_stress, 0)
+        self.assertLessEqual(rising.largest_stress, rising.curve.stress.max())  # that of the platen that bears less
         self.assertEqual(rising.strain_at_largest_stress, rising.curve.strain[-1])
         self.assertIsNone(rising.summary["peak_stress_Pa"])
         with self.assertRaisesRegex(ValueError, "has no peak_strain"):

@@ -32,6 +32,7 @@ class StudyRun : public testing::Test {
   StudyFolder folder_{files_ / "out"};
   Study study_;
   std::vector<Member> members_;
+  int told_ = 0;  ///< folders so far
 };
 
 TEST_F(StudyRun, WritesAResultAMemberAndSkipsWhatIsThere) {
@@ -204,8 +205,9 @@ TEST_F(StudyRun, TellsWhatALongStudyTakes) {
   const auto told = [&](const std::string& text) {
     study_ = test::small_study(files_, text);
     members_ = list_members(study_);
-    folder_.open(study_, members_);
-    return announcement(folder_, members_, check_scenes(study_, members_).sizes, 2);
+    StudyFolder folder(files_ / ("told_" + std::to_string(told_++)));
+    folder.open(study_, members_);
+    return announcement(folder, members_, check_scenes(study_, members_).sizes, 2);
   };
   EXPECT_EQ(told("seeds = 2\n"), "");
   EXPECT_THAT(told("seeds = 3\n[vary]\n\"loading.velocity\" = [\"1e-5 mm/s\"]\n"),

@@ -161,7 +161,7 @@ TEST(QuasiStaticClosure, ShearBandsFollowSlowDampedLoading) {
   scene.loading.stop_strain = 1.3 * still.peak_strain;
   scene.local_damping = 0.3;
   const Result slow = mpm::simulate(scene);
-  EXPECT_NEAR(slow.peak_stress, still.peak_stress, 0.03 * still.peak_stress);
+  EXPECT_NEAR(slow.peak_stress, still.peak_stress, 0.04 * still.peak_stress);
 }
 
 Scene concrete(Direction direction, bool pixel = true) {
