@@ -19,7 +19,8 @@ constexpr std::int32_t unsettled = -1;
 using ToneNumber = std::uint16_t;
 constexpr ToneNumber no_tone = 0xffff;
 ToneNumber number_of_tone(std::int32_t tone) { return tone < 0 ? no_tone : static_cast<ToneNumber>(tone); }
-constexpr int few_tones = 12;  ///< up to which a tone is more than one exact value
+constexpr int few_tones = 12;         ///< up to which a tone is more than one exact value
+constexpr double least_trace = 0.25;  ///< of a tone in a pixel of another that may be a gap [-]
 
 std::uint32_t packed(Rgb c) { return static_cast<std::uint32_t>(c.r << 16 | c.g << 8 | c.b); }
 Rgb unpacked(std::uint32_t v) {
@@ -223,10 +224,9 @@ class Sorter {
   /// Whether the tone is on both sides of a pixel that has most of the other: the trace of a gap, or of a
   /// bridge, of about a pixel. Two stones must not become one because a picture was made smaller.
   [[nodiscard]] bool is_trace(int r, int c, std::int32_t tone, std::int32_t other) const {
-    constexpr double least = 0.25;
     if (lossy_) return false;  // compression leaves such traces of its own along every edge
     const double mine = share_between(picture_(r, c), tone, other);
-    if (mine < least) return false;
+    if (mine < least_trace) return false;
     const auto reaches_tone = [&](int dr, int dc) {
       for (int k = 1; k <= 2; ++k) {
         const int row = r + k * dr, col = c + k * dc;
@@ -241,6 +241,22 @@ class Sorter {
     return std::any_of(ways.begin(), ways.end(), [&](const std::array<int, 2>& way) {
       return reaches_tone(way[0], way[1]) && reaches_tone(-way[0], -way[1]);
     });
+  }
+
+  /// The tone of which the pixel is the trace, where a gap is so long that nothing of its tone is near: the
+  /// pixels before and behind show as much of it.
+  [[nodiscard]] std::int32_t long_trace(int r, int c, std::int32_t tone) const {
+    for (std::int32_t other = 0; other < static_cast<std::int32_t>(tones_.size()); ++other) {
+      if (other == tone || !is_trace(r, c, tone, other)) continue;
+      int alike = 0;
+      for (int dr = -1; dr <= 1; ++dr)
+        for (int dc = -1; dc <= 1; ++dc)
+          if ((dr != 0 || dc != 0) && code_.contains(r + dr, c + dc) &&
+              share_between(picture_(r + dr, c + dc), tone, other) >= least_trace)
+            ++alike;
+      if (alike >= 2) return other;
+    }
+    return unsettled;
   }
 
   [[nodiscard]] bool between_any(Rgb colour) const {
@@ -280,6 +296,7 @@ class Sorter {
     if (const ToneNumber own = own_(r, c); own != no_tone) return own;
     if (static_cast<int>(tones_.size()) <= few_tones) {
       const std::int32_t tone = nearest(colour);
+      if (const std::int32_t gap = long_trace(r, c, tone); gap != unsettled) return gap;
       if (apart(tones_[static_cast<std::size_t>(tone)].colour, colour) > far_off_ && !between_any(colour)) {
         ++unexplained_;
         far_.push_back(colour);
