@@ -26,18 +26,24 @@ direction = "{direction}"
 stop_drop = {drop}
 stop_strain = {stop}
 [damage]
+crack_closure = "{closure}"
 correlation_length = "{length}"
 """
 BANDS = """
 [phases.mortar]
 tensile_scale = "4 MPa"
 weibull_modulus = 12
-fracture_energy = "60 J/m2"
+fracture_energy = "60 J/m2"{mortar}
 [phases.itz]
 tensile_scale = "2.4 MPa"
 weibull_modulus = 12
-fracture_energy = "25 J/m2"
+fracture_energy = "25 J/m2"{itz}
 """
+# In compression cracks close, and what ends the test is shear.
+SHEAR = """
+cohesion = "{cohesion} MPa"
+friction_angle = "35 deg"
+shear_fracture_energy = "{energy} J/m2\""""
 
 
 def main():
@@ -56,10 +62,12 @@ def main():
     pixels = args.pixels.split(",")
     with tempfile.TemporaryDirectory() as folder:
         scene = folder + "/scene.toml"
+        pressed = args.direction == "compression" and args.law == "band"
+        mortar, itz = (SHEAR.format(cohesion=c, energy=g) if pressed else "" for c, g in ((8, 2000), (5, 800)))
         with open(scene, "w", encoding="utf-8") as file:
-            file.write(SCENE.format(direction=args.direction, length=args.length,
+            file.write(SCENE.format(direction=args.direction, length=args.length, closure="unilateral" if pressed else "off",
                                     drop=args.drop, stop="2e-3" if args.direction == "tension" else "2e-2")
-                       + (BANDS if args.law == "band" else ""))
+                       + (BANDS.format(mortar=mortar, itz=itz) if args.law == "band" else ""))
 
         def run(cell, pixel, seed):
             done = subprocess.run([args.program, "simulate", scene, f"--generate.pixel-size={pixel} mm", "--cell", cell,
