@@ -40,7 +40,7 @@ namespace {
 
 constexpr const char* host = "127.0.0.1";
 constexpr std::size_t threads = 8;             ///< more readers than that wait for each other
-constexpr std::size_t most_waiting = 32;       ///< connections beyond that are closed
+constexpr std::size_t most_waiting = 32;       ///< of more the oldest connections are closed
 constexpr int largest_request = 1;             ///< [bytes] of content: there is none to send
 constexpr std::size_t largest_header = 16384;  ///< of a request, all lines of it [bytes]
 constexpr std::chrono::seconds to_ask{2};      ///< for the whole of a request
@@ -142,9 +142,13 @@ class TimedServer : public httplib::Server {
   /// Of the requests that are not there yet the oldest goes: those that wait behind it may be readers.
   void make_room() {
     const std::lock_guard lock(mutex_);
-    if (asking_.empty()) return;
-    ::shutdown(asking_.front(), SHUT_RDWR);
-    asking_.erase(asking_.begin());
+    ++owed_;
+    free_oldest(1);
+  }
+  /// Nobody waits any more.
+  void owe_nothing() {
+    const std::lock_guard lock(mutex_);
+    owed_ = 0;
   }
 
   void close_all() {
@@ -172,7 +176,15 @@ class TimedServer : public httplib::Server {
   bool enter(socket_t socket) {
     const std::lock_guard lock(mutex_);
     asking_.push_back(socket);
+    free_oldest(2);  // not the one that has only just come
     return !closes_;
+  }
+  /// As many as are owed, while so many ask.
+  void free_oldest(std::size_t least) {
+    for (; owed_ > 0 && asking_.size() >= least; --owed_) {
+      ::shutdown(asking_.front(), SHUT_RDWR);
+      asking_.erase(asking_.begin());
+    }
   }
   void is_asked(socket_t socket) {
     const std::lock_guard lock(mutex_);
@@ -187,6 +199,7 @@ class TimedServer : public httplib::Server {
 
   std::mutex mutex_;
   bool closes_ = false;
+  std::size_t owed_ = 0;                     ///< threads that those who wait are to have
   std::vector<socket_t> asking_, answered_;  ///< in the order in which they came
 };
 
@@ -207,14 +220,16 @@ class Readers {
     }
   }
 
-  /// @return whether it will be done.
-  bool take(std::function<void()> work) {
+  /// @return what has waited longest, and has no place any more; may be empty.
+  [[nodiscard]] std::function<void()> take(std::function<void()> work) {
     const std::lock_guard lock(mutex_);
     if (busy_ == threads_.size()) server_.make_room();
-    if (waiting_.size() >= most_waiting) return false;
     waiting_.push_back(std::move(work));
     changed_.notify_one();
-    return true;
+    if (waiting_.size() <= most_waiting) return {};
+    std::function<void()> oldest = std::move(waiting_.front());
+    waiting_.pop_front();
+    return oldest;
   }
 
   void end() {
@@ -239,6 +254,10 @@ class Readers {
       const std::function<void()> next = std::move(waiting_.front());
       waiting_.pop_front();
       ++busy_;
+      if (waiting_.empty())
+        server_.owe_nothing();
+      else if (busy_ == threads_.size())
+        server_.make_room();  // for the next one, behind which a reader may wait
       lock.unlock();
       next();
       lock.lock();
@@ -260,9 +279,10 @@ class QueueOfReaders : public httplib::TaskQueue {
  public:
   explicit QueueOfReaders(Readers& readers) : readers_(readers) {}
   void enqueue(std::function<void()> work) override {
-    if (readers_.take(work)) return;
+    const std::function<void()> one_too_many = readers_.take(std::move(work));
+    if (!one_too_many) return;
     refuses = true;
-    work();
+    one_too_many();
     refuses = false;
   }
   void shutdown() override { readers_.end(); }

@@ -21,7 +21,10 @@ class Server : public testing::Test {
   [[nodiscard]] std::string root() const { return address_.substr(address_.find('/', 7)); }
   [[nodiscard]] std::string origin() const { return address_.substr(0, address_.find('/', 7)); }
   [[nodiscard]] int port() const { return std::stoi(address_.substr(address_.rfind(':') + 1)); }
-  [[nodiscard]] int status(const std::string& path) { return client_.Get(path)->status; }
+  [[nodiscard]] int status(const std::string& path) {
+    const httplib::Result result = client_.Get(path);
+    return result ? result->status : 0;
+  }
 
   std::atomic<int> stops_ = 0;
   std::optional<std::string> page_ = "<p>page</p>";
