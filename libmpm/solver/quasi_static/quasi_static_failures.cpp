@@ -217,8 +217,8 @@ PointState QuasiStaticSolver::failed(const Place& at, std::size_t index, const O
   const Phase& phase = *scene_.phases[*equilibrium_.label(at)];
   const double reached = std::max(strain, onset.strain);
   if (onset.mode == FailureMode::shear)
-    return cohesions_.empty() || !phase.softens_in_shear() ? gone(at, index, FailureMode::shear, strain)
-                                                           : sheared(at, index, reached);
+    return !phase.softens_in_shear() ? gone(at, index, FailureMode::shear, strain)
+                                     : sheared(at, index, reached);
   return phase.softens() ? softened(at, index, reached) : cracked_through(at, index, strain);
 }
 
