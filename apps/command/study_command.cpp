@@ -30,9 +30,9 @@ constexpr const char* about_values =
 
 constexpr const char* about_members =
     "Members run one on each core, each on one thread. Memory is taken by those that run, for a million "
-    "points\nless than 100 MB each with small strain and less than 1 GB with moving points, and by 200 "
-    "points "
-    "of the curve\nof every member. The folder keeps every member by what it depends on, the version of the "
+    "points\nless than 100 MB each with small strain, 200 MB without inertia and 400 MB with moving points, "
+    "and by 200\npoints of the curve of every member. The folder keeps every member by what it depends on, "
+    "the version of the "
     "program included:\nthe same command goes on where it stopped, and a study may grow by seeds, levels and "
     "samples (a Latin\nhypercube cannot). It gets table.csv, table.h5 and report.html; members write no "
     "frames. The table is the\nsame whatever ran where; on processors of different kinds, set "

@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -39,12 +40,13 @@ bool same_secret(std::string_view given, std::string_view secret) {
 namespace {
 
 constexpr const char* host = "127.0.0.1";
-constexpr std::size_t threads = 8;             ///< more readers than that wait for each other
-constexpr std::size_t most_waiting = 32;       ///< of more the oldest connections are closed
-constexpr int largest_request = 1;             ///< [bytes] of content: there is none to send
-constexpr std::size_t largest_header = 16384;  ///< of a request, all lines of it [bytes]
-constexpr std::chrono::seconds to_ask{2};      ///< for the whole of a request
-constexpr std::chrono::seconds to_take{10};    ///< for the whole of an answer
+constexpr std::size_t threads = 8;                        ///< more readers than that wait for each other
+constexpr std::size_t most_waiting = 32;                  ///< of more the oldest connections are closed
+constexpr int largest_request = 1;                        ///< [bytes] of content: there is none to send
+constexpr std::size_t largest_header = 16384;             ///< of a request, all lines of it [bytes]
+constexpr std::chrono::milliseconds to_ask{2000};         ///< for the whole of a request
+constexpr std::chrono::milliseconds to_ask_in_turn{100};  ///< the same while others wait for the thread
+constexpr std::chrono::milliseconds to_take{10000};       ///< for the whole of an answer
 
 constexpr const char* too_early =
     "<!DOCTYPE html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"1\">"
@@ -83,9 +85,17 @@ using Clock = std::chrono::steady_clock;
 /// A connection that has so much time for a request and for its answer, however the bytes come.
 class TimedStream : public httplib::Stream {
  public:
-  explicit TimedStream(socket_t socket) : socket_(socket) {}
+  /// @param others_wait  whether others wait now; asked again and again.
+  TimedStream(socket_t socket, const std::atomic<bool>& others_wait)
+      : socket_(socket), others_wait_(others_wait) {}
 
-  [[nodiscard]] bool is_readable() const override { return is_ready(POLLIN, begin_ + to_ask); }
+  [[nodiscard]] bool is_readable() const override {
+    while (true) {
+      const Clock::time_point until = begin_ + (others_wait_ ? to_ask_in_turn : to_ask);
+      if (is_ready(POLLIN, std::min(until, Clock::now() + to_ask_in_turn / 2))) return true;
+      if (Clock::now() >= until) return false;
+    }
+  }
   [[nodiscard]] bool is_writable() const override { return is_ready(POLLOUT, begin_ + to_ask + to_take); }
 
   ssize_t read(char* bytes, std::size_t size) override {
@@ -128,6 +138,7 @@ class TimedStream : public httplib::Stream {
   }
 
   socket_t socket_;
+  const std::atomic<bool>& others_wait_;
   Clock::time_point begin_ = Clock::now();
   std::size_t taken_ = 0;
 };
@@ -139,31 +150,20 @@ thread_local bool refuses = false;
 /// request that comes byte by byte would take any time.
 class TimedServer : public httplib::Server {
  public:
-  /// Of the requests that are not there yet the oldest goes: those that wait behind it may be readers.
-  void make_room() {
-    const std::lock_guard lock(mutex_);
-    ++owed_;
-    free_oldest(1);
-  }
-  /// Nobody waits any more.
-  void owe_nothing() {
-    const std::lock_guard lock(mutex_);
-    owed_ = 0;
-  }
+  std::atomic<bool> others_wait = false;  ///< for a thread: requests are cut short
 
   void close_all() {
     const std::lock_guard lock(mutex_);
     closes_ = true;
-    for (const std::vector<socket_t>* all : {&asking_, &answered_})
-      for (const socket_t socket : *all) ::shutdown(socket, SHUT_RDWR);
+    for (const socket_t socket : open_) ::shutdown(socket, SHUT_RDWR);
   }
 
  private:
   bool process_and_close_socket(socket_t socket) override {
     bool is_answered = false, is_closed = false;
     if (!refuses && enter(socket)) {
-      TimedStream stream(socket);
-      is_answered = process_request(stream, true, is_closed, [&](httplib::Request&) { is_asked(socket); });
+      TimedStream stream(socket, others_wait);
+      is_answered = process_request(stream, true, is_closed, {});
       if (!is_answered) stream.refuse_if_too_large();
     }
     leave(socket);
@@ -175,32 +175,17 @@ class TimedServer : public httplib::Server {
   /// @return whether the server goes on.
   bool enter(socket_t socket) {
     const std::lock_guard lock(mutex_);
-    asking_.push_back(socket);
-    free_oldest(2);  // not the one that has only just come
+    open_.push_back(socket);
     return !closes_;
-  }
-  /// As many as are owed, while so many ask.
-  void free_oldest(std::size_t least) {
-    for (; owed_ > 0 && asking_.size() >= least; --owed_) {
-      ::shutdown(asking_.front(), SHUT_RDWR);
-      asking_.erase(asking_.begin());
-    }
-  }
-  void is_asked(socket_t socket) {
-    const std::lock_guard lock(mutex_);
-    std::erase(asking_, socket);
-    answered_.push_back(socket);
   }
   void leave(socket_t socket) {
     const std::lock_guard lock(mutex_);
-    std::erase(asking_, socket);
-    std::erase(answered_, socket);
+    std::erase(open_, socket);
   }
 
   std::mutex mutex_;
   bool closes_ = false;
-  std::size_t owed_ = 0;                     ///< threads that those who wait are to have
-  std::vector<socket_t> asking_, answered_;  ///< in the order in which they came
+  std::vector<socket_t> open_;
 };
 
 /// Threads that answer.
@@ -223,8 +208,8 @@ class Readers {
   /// @return what has waited longest, and has no place any more; may be empty.
   [[nodiscard]] std::function<void()> take(std::function<void()> work) {
     const std::lock_guard lock(mutex_);
-    if (busy_ == threads_.size()) server_.make_room();
     waiting_.push_back(std::move(work));
+    server_.others_wait = busy_ == threads_.size();
     changed_.notify_one();
     if (waiting_.size() <= most_waiting) return {};
     std::function<void()> oldest = std::move(waiting_.front());
@@ -254,10 +239,7 @@ class Readers {
       const std::function<void()> next = std::move(waiting_.front());
       waiting_.pop_front();
       ++busy_;
-      if (waiting_.empty())
-        server_.owe_nothing();
-      else if (busy_ == threads_.size())
-        server_.make_room();  // for the next one, behind which a reader may wait
+      server_.others_wait = busy_ == threads_.size() && !waiting_.empty();
       lock.unlock();
       next();
       lock.lock();

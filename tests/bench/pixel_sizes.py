@@ -2,7 +2,7 @@
 """Whether the peak and the energy of a specimen settle when its picture is refined: the same ellipses and the same strength
 field with pixels of four sizes.
     tests/bench/pixel_sizes.py build/release/bin/mesopix [--cells "pixel,2 x 2"] [--law brittle|band] [--direction tension]
-                               [--method explicit|quasi_static] [--seeds 10] [--pixels 1,0.5,0.25,0.125]
+                               [--method explicit|quasi_static] [--seeds 10] [--pixels 1,0.5,0.25,0.125] [--width 32]
 Prints peak [MPa] and released energy [J/m2 of the cross-section] of every run, and mean changes from each size to the next."""
 import argparse
 import csv
@@ -14,11 +14,11 @@ import tempfile
 
 SCENE = """
 [generate]
-width = "32 mm"
-height = "32 mm"
+width = "{width} mm"
+height = "{width} mm"
 fraction = "40 %"
-d_min = "6 mm"
-d_max = "12 mm"
+d_min = "{d_min} mm"
+d_max = "{d_max} mm"
 [itz]
 thickness = "1 mm"
 [loading]
@@ -57,6 +57,7 @@ def main():
     parser.add_argument("--pixels", default="1,0.5,0.25,0.125")
     parser.add_argument("--length", default="2 mm")
     parser.add_argument("--drop", default="0.2")
+    parser.add_argument("--width", type=float, default=32, help="of the specimen in mm; the aggregates have 3/16 to 3/8 of it")
     parser.add_argument("--more", default="", help="options for mesopix simulate")
     args = parser.parse_args()
     pixels = args.pixels.split(",")
@@ -65,7 +66,7 @@ def main():
         pressed = args.direction == "compression" and args.law == "band"
         mortar, itz = (SHEAR.format(cohesion=c, energy=g) if pressed else "" for c, g in ((8, 2000), (5, 800)))
         with open(scene, "w", encoding="utf-8") as file:
-            file.write(SCENE.format(direction=args.direction, length=args.length, closure="unilateral" if pressed else "off",
+            file.write(SCENE.format(width=args.width, d_min=args.width * 3 / 16, d_max=args.width * 3 / 8, direction=args.direction, length=args.length, closure="unilateral" if pressed else "off",
                                     drop=args.drop, stop="2e-3" if args.direction == "tension" else "2e-2")
                        + (BANDS.format(mortar=mortar, itz=itz) if args.law == "band" else ""))
 
@@ -83,7 +84,7 @@ def main():
             for seed in range(1, args.seeds + 1):
                 rows = [run(cell, pixel, seed) for pixel in pixels]
                 peaks.append([1e-6 * row["peak_stress_Pa"] for row in rows])
-                energies.append([row["released_J_per_m"] / 0.032 for row in rows])
+                energies.append([row["released_J_per_m"] / (1e-3 * args.width) for row in rows])
                 print(f"{cell:6} {seed:4}  " + "".join(f"{v:8.3f}" for v in peaks[-1]) + "  |" + "".join(f"{v:9.3f}" for v in energies[-1])
                       + "  |" + "".join(f"{row['wall_s']:8.2f}" for row in rows), flush=True)
             for name, table in (("peak", peaks), ("energy", energies)):

@@ -313,12 +313,15 @@ void MovingSolver<Real>::copy_maps(Result& result) const {
   result.end_x.setConstant(scene_.labels.rows(), scene_.labels.cols(), nowhere);
   result.end_y = result.end_x;
   if (plan_.moving.optional.deformation) result.deformation.fill(result.end_x);
-  for (const PointView& point : points()) {
-    if (point.id >= static_cast<std::uint32_t>(scene_.labels.size())) continue;
-    result.end_x.data()[point.id] = static_cast<float>(point.x);
-    result.end_y.data()[point.id] = static_cast<float>(point.y);
-    for (std::size_t i = 0; i < 4 && plan_.moving.optional.deformation; ++i)
-      result.deformation[i].data()[point.id] = static_cast<float>(point.deformation[i]);
+  for (int row = 0; row < points_.rows(); ++row) {
+    points_.for_each(row, [&](const Slot& slot) {
+      const PointView point = view(slot);
+      if (point.id >= static_cast<std::uint32_t>(scene_.labels.size())) return;
+      result.end_x.data()[point.id] = static_cast<float>(point.x);
+      result.end_y.data()[point.id] = static_cast<float>(point.y);
+      for (std::size_t i = 0; i < 4 && plan_.moving.optional.deformation; ++i)
+        result.deformation[i].data()[point.id] = static_cast<float>(point.deformation[i]);
+    });
   }
 }
 
