@@ -7,7 +7,7 @@ root = Path(sys.argv[1])
 files = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True).stdout.split() or [
     str(p.relative_to(root)) for p in root.rglob("*") if p.is_file() and p.relative_to(root).parts[0] not in ("build", "runs")]
 top_level = {"CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE", "quickstart",
-             "check", "pyproject.toml", "specimen", "libmpm", "apps", "data", "docs", "tests"}
+             "check", "pyproject.toml", "specimen", "libmpm", "apps", "data", "docs", "tests", "findings"}
 libraries = ("specimen/", "libmpm/")
 
 # Who may include whom. A room may include its own headers, those of the rooms behind it, and whatever these may include;
