@@ -44,7 +44,7 @@ class Browser:
         return self.driver.execute_script("return " + script, *arguments)
 
     def wait(self, condition):
-        until = time.monotonic() + 30
+        until = time.monotonic() + 180  # on a machine that does other things too
         while not self.run(condition):
             assert time.monotonic() < until, f"never came true: {condition}"
             time.sleep(0.02)

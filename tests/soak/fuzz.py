@@ -3,7 +3,7 @@
 
   fuzz.py BUILD [--seconds N | --hours N | --runs N] [--jobs N] [TARGET...]
 
-BUILD is a folder of the preset `asan`, with the targets fuzz_targets and write_fuzz_seeds built. Each target (all of
+BUILD is a folder of the preset `fuzz`, with the targets fuzz_targets and write_fuzz_seeds built. Each target (all of
 them, if none is named) runs for a minute, or as long as asked. What reached new code is kept in BUILD/fuzz, so that the
 next run goes on from there; with --runs nothing is kept, and every run does the same. A file that a reader does not
 survive is named, and stays in BUILD/fuzz/found.
