@@ -5,6 +5,7 @@
 
 #include "apps/bench/stability_scenes.hpp"
 #include "apps/job/job.hpp"
+#include "apps/run/error_estimation.hpp"
 #include "apps/run/run_remarks.hpp"
 #include "apps/text/complaint.hpp"
 #include "libmpm/scene/error.hpp"
@@ -139,6 +140,65 @@ Finding closing_band() {
   return judge.finding();
 }
 
+/// Waves make explicit runs agree on what is no static strength, compression more than tension; rates that
+/// agree by chance must not hide it.
+Finding waves_are_estimated() {
+  Judge judge;
+  for (const auto direction : {mpm::Direction::tension, mpm::Direction::compression}) {
+    const bool pulls = direction == mpm::Direction::tension;
+    mpm::Scene scene = breaking_concrete();
+    scene.loading.direction = direction;
+    scene.loading.velocity = pulls ? 0.1 : 0.4;
+    scene.loading.stop_strain = pulls ? 5e-4 : 5e-3;
+    scene.local_damping = 0;
+    mpm::Scene still = scene;
+    still.method = mpm::SolverMethod::quasi_static;
+    still.event_tolerance = 0;
+    const mpm::Result base = mpm::simulate(scene);
+    const double truth = mpm::simulate(still).peak_stress;
+    const auto solve = [](const mpm::Scene& other) { return mpm::simulate(other); };
+    const double estimate = estimate_error(scene, base, solve).sources.front().stress_error;
+    const double error = std::abs(truth / base.peak_stress - 1);
+    judge.must(estimate >= error && estimate <= 3 * error + 0.02,
+               fmt::format("{}: off by {:.3g}, estimated {:.3g}", pulls ? "tension" : "compression", error,
+                           estimate));
+  }
+  const auto agreeing = [](const mpm::Scene&) {
+    mpm::Result result;
+    result.peak_stress = 1e6;
+    result.peak_strain = 1e-4;
+    return result;
+  };
+  mpm::Scene closing = breaking_concrete();
+  closing.loading.direction = mpm::Direction::compression;
+  closing.damage.crack_closure = mpm::CrackClosure::clipped;
+  const double of_none = estimate_error(closing, agreeing(closing), agreeing).stress_error();
+  judge.must(of_none >= 0.4,
+             fmt::format("three rates that agree, and no equilibrium to compare with: {:.2g}", of_none));
+  return judge.finding();
+}
+
+/// A label picture of twice the pixel size, again and again.
+Finding coarser_labels() {
+  Judge judge;
+  mpm::Scene scene = concrete(320, 320);
+  const auto share = [](const mpm::Scene& of, int label) {
+    return static_cast<double>((of.labels.array() == label).count()) / static_cast<double>(of.labels.size());
+  };
+  const double stones = share(scene, first);
+  const double width = scene.width();
+  for (int times = 0; times < 3; ++times) {
+    const double ring = share(scene, third);
+    scene = coarsened(scene);
+    judge.near(fmt::format("pixels of {:.0f} mm: share of aggregate", 1e3 * scene.pixel_size),
+               share(scene, first), stones, 0.02);
+    const double grown = share(scene, third) / ring;  // a ring of one pixel is twice as wide
+    judge.must(grown > 0.9 && grown < 3, fmt::format("ITZ times {:.2f}", grown));
+  }
+  judge.near("width", scene.width(), width, 1e-12);
+  return judge.finding();
+}
+
 }  // namespace
 
 std::vector<StabilityCase> inertia_cases() {
@@ -150,9 +210,13 @@ std::vector<StabilityCase> inertia_cases() {
        first_wave},
       {"inertia", "10 m/s, and 1e8 kg/m3: the share of inertia in the peak is told", inertia_is_said},
       {"damping", "local damping 0.99: its share in the peak is told", damping_is_said},
+      {"waves", "too fast by far: the estimated error covers the distance from equilibrium",
+       waves_are_estimated},
       {"outrun", "1e30 m/s: no platen outruns the wave that it sends; refused", outrun},
       {"closing-band", "cracks that soften and close: a ledger that closes the better the shorter the step",
        closing_band},
+      {"coarser-labels", "labels at two, four and eight times the pixel size: as much aggregate, whole rings",
+       coarser_labels},
   };
 }
 

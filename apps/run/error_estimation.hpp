@@ -15,7 +15,7 @@ using Solve = std::function<mpm::Result(const mpm::Scene&)>;
 /// Error of the peak of `base`, the result of a scene with platens, from runs that end soon after the peak:
 /// without inertia, with half the step, in the other precision, with pixel cells, and with pixels twice as
 /// large. The error of the rate is the difference from equilibrium. Where there is none (points move, cracks
-/// close, extra points) it comes from runs at a half and a quarter of the rate: the distance to the line
+/// close) it comes from runs at a half and a quarter of the rate: the distance to the line
 /// through the three rates at rest, and the standard error of that line there, or by how much they differ if
 /// that is more; and where points can fail, a known bias of explicit runs comes to that, which no rate shows.
 /// The step is taken to be of first order, so that the error is twice what halving it changes; pixels too, so
