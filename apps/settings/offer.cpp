@@ -84,7 +84,7 @@ const Offer& offer_of_stiffness() {
       {"specimen", "generate", "convert", "itz"},
       {"solver.method", "solver.event_tolerance", "solver.kinematics", "solver.cfl", "solver.local_damping",
        "solver.precision", "solver.threads", "phases.tensile_scale", "phases.cohesion",
-       "phases.friction_angle", "phases.weibull_modulus", "phases.fracture_energy",
+       "phases.friction_angle", "phases.weibull_modulus", "phases.fracture_energy", "phases.softening",
        "phases.shear_fracture_energy"}};
   return offer;
 }

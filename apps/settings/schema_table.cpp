@@ -324,7 +324,11 @@ std::vector<Field> output_fields() {
 }
 
 std::vector<PhaseField> properties() {
+  using mpm::SofteningCurve;
   const QuantityCodec angle{Dimension::angle, below(0, std::numbers::pi / 2)};
+  const ChoiceCodec<SofteningCurve> curve{{{"exponential", SofteningCurve::exponential},
+                                           {"bilinear", SofteningCurve::bilinear},
+                                           {"hordijk", SofteningCurve::hordijk}}};
   return {
       property("young", QuantityCodec{Dimension::pressure, above(0)}, "Young's modulus", &mpm::Phase::young),
       property("poisson", ratio(between(0, 0.5)), "Poisson's ratio", &mpm::Phase::poisson),
@@ -339,6 +343,11 @@ std::vector<PhaseField> properties() {
       property("fracture_energy", QuantityCodec{Dimension::energy, above(0), Word{"brittle", 0}},
                "of a crack, spent as it opens; brittle = points crack at one blow",
                &mpm::Phase::fracture_energy),
+      property(
+          "softening", curve,
+          "of a crack with a fracture_energy: as an exponential, in two lines (Petersson), or as Hordijk "
+          "measured it",
+          &mpm::Phase::softening),
       property("shear_fracture_energy", QuantityCodec{Dimension::energy, above(0), Word{"brittle", 0}},
                "of a shear band, spent as it slips; needs damage.crack_closure",
                &mpm::Phase::shear_fracture_energy),

@@ -9,17 +9,25 @@
 
 namespace mpm {
 
-/// Exponential softening: the largest principal stress falls with the largest principal strain e,
-///     s1 = peak exp(-(e - onset) / scale)   for e > onset,
-/// so that a band of the given width dissipates the fracture energy.
-/// Source: Bazant, Oh (1983), for the band; Hordijk (1991) measured a curve of this kind.
+/// Softening: the largest principal stress falls with the largest principal strain e,
+///     s1 = peak f((e - onset) / scale)   for e > onset,
+/// where the area under f is 1, so that a band of the given width dissipates the fracture energy:
+///     exponential  f = exp(-x)
+///     bilinear     from 1 to 1/3 at x = 0.8, to 0 at x = 3.6
+///     hordijk      f = (1 + (3 y)^3) exp(-6.93 y) - y (1 + 3^3) exp(-6.93),  y = x / 5.136
+/// Sources: Bazant, Oh, Mater. Struct. 16 (1983), for the band; Petersson, report TVBM-1006, Lund (1981), for
+/// the two lines; Hordijk, thesis, Delft (1991).
 struct Softening {
   double peak = 0;   ///< strength at which it begins [Pa]
   double onset = 0;  ///< strain at which it begins in uniaxial stress [-]
-  double scale = 0;  ///< strain over which the stress falls to 1/e [-]; <= 0 if the band snaps back
+  double scale = 0;  ///< strain that times the peak is the area beyond the onset [-]; <= 0 if the band snaps
+                     ///< back
+  SofteningCurve curve = SofteningCurve::exponential;
 
   /// Largest principal stress that the point still carries [Pa].
   [[nodiscard]] double stress_at(double strain) const;
+  /// Area under the curve from the onset to a strain >= onset [J/m^3].
+  [[nodiscard]] double area_to(double strain) const;
 };
 
 /// @param peak  strength of the point [Pa].   @param band  width of the crack band [m].

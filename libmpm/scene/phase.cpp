@@ -77,6 +77,10 @@ std::vector<Error> faults(const Phase& phase, Plane plane) {
         phase.shear_fracture_energy, "J/m2", "must be > 0, or 0 for a phase that is brittle in shear");
   check(phase.shear_fracture_energy == 0 || phase.can_shear(), "shear_fracture_energy",
         phase.shear_fracture_energy, "J/m2", "needs a cohesion");
+  faults.require(phase.softening == SofteningCurve::exponential || phase.fracture_energy > 0,
+                 "phases." + phase.name + ".softening",
+                 phase.softening == SofteningCurve::bilinear ? "bilinear" : "hordijk",
+                 "needs a fracture_energy");
   return std::move(faults).found();
 }
 

@@ -16,6 +16,13 @@ using PixelField = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 /// The plane assumption: no strain, or no stress, out of the plane.
 enum class Plane { strain, stress };
 
+/// How the stress of a crack band falls as the crack opens.
+enum class SofteningCurve {
+  exponential,
+  bilinear,  ///< to a third of the strength, then more slowly; Petersson (1981)
+  hordijk,   ///< measured on concrete; Hordijk (1991)
+};
+
 /// Isotropic linear elastic material with random strength. With infinite strengths (the default) it never
 /// fails.
 struct Phase {
@@ -30,6 +37,7 @@ struct Phase {
   double friction_angle = 0;           ///< Mohr-Coulomb phi [rad], in [0, pi/2)
   double weibull_modulus = 1.5;        ///< m [-], > 0
   double fracture_energy = 0;  ///< G_f of a crack band [J/m^2]; 0 = brittle: all stress is lost at once
+  SofteningCurve softening = SofteningCurve::exponential;  ///< of a crack band
 
   /// G_II of a shear band [J/m^2], in compression without lateral stress; 0 = brittle. Needs crack closure.
   double shear_fracture_energy = 0;

@@ -15,6 +15,7 @@ using mpm::FailureMode;
 using mpm::Phase;
 using mpm::Plane;
 using mpm::PointState;
+using mpm::SofteningCurve;
 using mpm::Stress;
 
 const Phase mortar = mpm::concrete_phases()[1];
@@ -243,6 +244,66 @@ TEST(Softening, DissipatesTheFractureEnergyInABandOfAnyWidth) {
       for (int i = 0; i < n; ++i) area += step * curve.stress_at(curve.onset + (i + 0.5) * step);
       EXPECT_NEAR(area * band, 60, 1e-4 * 60);
     }
+  }
+}
+
+TEST(Softening, FallsAsItsSourceSays) {
+  mpm::Phase phase = softening_mortar();
+  const auto curve_of = [&](SofteningCurve shape) {
+    phase.softening = shape;
+    return mpm::softening(phase, Plane::stress, 6e6, 1e-6);
+  };
+  // Openings, over which the band of a micrometre is nothing.
+  const auto share = [&](SofteningCurve shape, double opening) {
+    const mpm::Softening curve = curve_of(shape);
+    return curve.stress_at(curve.onset + opening / 1e-6) / 6e6;
+  };
+  const double unit = 60 / 6e6;  // G_f / f_t [m]
+  EXPECT_NEAR(share(SofteningCurve::bilinear, 0.8 * unit), 1.0 / 3, 1e-4);
+  EXPECT_NEAR(share(SofteningCurve::bilinear, 2.2 * unit), 1.0 / 6, 1e-4);
+  EXPECT_EQ(share(SofteningCurve::bilinear, 3.7 * unit), 0);
+  const double last = 5.136 * unit;
+  EXPECT_NEAR(share(SofteningCurve::hordijk, 0.1 * last),
+              1.027 * std::exp(-0.693) - 0.1 * 28 * std::exp(-6.93), 1e-4);
+  EXPECT_NEAR(share(SofteningCurve::hordijk, 0.999 * last), 0, 1e-3);
+  EXPECT_EQ(share(SofteningCurve::hordijk, 1.01 * last), 0);
+}
+
+TEST(Softening, OfEveryCurveDissipatesTheFractureEnergy) {
+  mpm::Phase phase = softening_mortar();
+  for (const auto shape : {SofteningCurve::exponential, SofteningCurve::bilinear, SofteningCurve::hordijk}) {
+    phase.softening = shape;
+    const mpm::Softening curve = mpm::softening(phase, Plane::strain, 6e6, 1e-3);
+    double area = 0;
+    const int n = 40000;
+    const double step = 20 * curve.scale / n;
+    for (int i = 0; i < n; ++i) {
+      const double strain = curve.onset + (i + 0.5) * step;
+      area += step * curve.stress_at(strain);
+      if (i % 4000 == 0) {
+        EXPECT_NEAR(curve.area_to(strain + 0.5 * step), area, 1e-6 * curve.peak * curve.scale) << i;
+      }
+    }
+    EXPECT_NEAR((0.5 * curve.peak * curve.onset + area) * 1e-3, 60, 1e-3 * 60);
+  }
+}
+
+TEST(Softening, TeethOfEveryCurveDissipateTheFractureEnergy) {
+  mpm::Phase phase = softening_mortar();
+  for (const auto shape : {SofteningCurve::exponential, SofteningCurve::bilinear, SofteningCurve::hordijk}) {
+    phase.softening = shape;
+    const mpm::Softening curve = mpm::softening(phase, Plane::strain, 6e6, 1e-3);
+    const double young = curve.peak / curve.onset;
+    mpm::Tooth tooth{1, curve.peak};
+    double released = 0;
+    while (tooth.kept > 0) {
+      const double strain = tooth.strength / (tooth.kept * young);
+      const mpm::Tooth next = mpm::next_tooth(curve, tooth.kept, young * strain);
+      released += 0.5 * (tooth.kept - next.kept) * young * strain * strain;
+      EXPECT_LE(next.strength, curve.peak);
+      tooth = next;
+    }
+    EXPECT_NEAR(released * 1e-3, 60, 0.01 * 60) << static_cast<int>(shape);
   }
 }
 

@@ -54,6 +54,8 @@ TEST(Validate, SaysWhatIsWrongAndHowToCureIt) {
   EXPECT_EQ(message_after([](Scene& s) { s.phases[2]->shear_fracture_energy = 900; }),
             "phases.mortar.shear_fracture_energy: 900 J/m2; needs damage.crack_closure; choose "
             "damage.crack_closure = \"unilateral\"");
+  EXPECT_EQ(message_after([](Scene& s) { s.phases[2]->softening = mpm::SofteningCurve::hordijk; }),
+            "phases.mortar.softening: hordijk; needs a fracture_energy");
   EXPECT_EQ(message_after([](Scene& s) { s.loading.velocity = -0.05; }),
             "loading.velocity: -0.05 m/s; must be > 0; loading.direction sets the direction");
   EXPECT_EQ(message_after([](Scene& s) { s.cfl = 1.05; }), "solver.cfl: 1.05; must lie in (0, 1]");

@@ -59,6 +59,17 @@ TEST(CrackBand, CostsItsFractureEnergyForEveryPixelSizeInSmallStrain) {
       EXPECT_NEAR(dissipation(strip(pixel, poisson), "small strain"), 1, 0.02);
 }
 
+TEST(CrackBand, CostsItsFractureEnergyByEveryCurve) {
+  for (const auto curve : {mpm::SofteningCurve::bilinear, mpm::SofteningCurve::hordijk})
+    for (const auto kinematics : {mpm::Kinematics::small_strain, mpm::Kinematics::moving}) {
+      mpm::Scene scene = strip(0.5e-3, 0.2);
+      for (auto& phase : scene.phases)
+        if (phase && phase->fracture_energy > 0) phase->softening = curve;
+      scene.kinematics = kinematics;
+      EXPECT_NEAR(dissipation(scene, "another curve"), 1, 0.02);
+    }
+}
+
 // The error of the ledger comes from cracks that close within a step, and falls with its square. What is
 // stored of a point is rounded to 32 bits: a loss per step, however small, would grow as the steps become
 // shorter.
