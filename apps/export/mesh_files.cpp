@@ -15,8 +15,8 @@ std::string words_on(const PixelMesh& mesh, const char* mark) {
   return fmt::format(
       "Specimen of mesopix, {0} x {1} pixels of {2} m\n"
       "{3}Lengths are in metres. The origin is the bottom left corner, x points right, y points up.\n"
-      "{3}Pixel (row, column), counted from 0 at the top left, is element row * {0} + column + 1.\n"
-      "{3}Void pixels have no element, and nodes amid void are left out.\n",
+      "{3}Pixels are elements 1, 2, 3, ... row by row from the top left; void pixels are none, and not "
+      "counted.\n",
       mesh.cols(), mesh.rows(), length_text(mesh.mask().pixel_size), mark);
 }
 
@@ -184,21 +184,14 @@ void write_entities(TextStream& file, const PixelMesh& mesh, const std::vector<C
 
 /// One block, filed under the first surface: a node of two phases belongs to neither.
 void write_node_section(TextStream& file, const PixelMesh& mesh) {
-  int64_t first = 0;
-  int64_t last = 0;
-  mesh.for_each_node([&](MeshNode node) {
-    last = mesh.number(node);
-    if (first == 0) first = last;
-  });
-  file << fmt::format("$Nodes\n1 {0} {1} {2}\n2 {3} 0 {0}\n", mesh.nodes(), first, last,
-                      mesh.phases().front().label);
+  file << fmt::format("$Nodes\n1 {0} 1 {0}\n2 {1} 0 {0}\n", mesh.nodes(), mesh.phases().front().label);
   mesh.for_each_node([&](MeshNode node) { file << mesh.number(node) << "\n"; });
   each_node(mesh,
             [&](int64_t, const std::string& x, const std::string& y) { file << x << " " << y << " 0\n"; });
   file << "$EndNodes\n";
 }
 
-/// Lines are numbered behind the last pixel.
+/// Lines are numbered behind the elements.
 void write_lines(TextStream& file, const std::vector<Curve>& curves, int64_t number) {
   for (const Curve& curve : curves) {
     file << fmt::format("1 {} {} {}\n", curve.tag, line_of_two_nodes, curve.sides.size());
@@ -214,12 +207,11 @@ void write_quadrangles(TextStream& file, const PixelMesh& mesh) {
 }
 
 void write_elements(TextStream& file, const PixelMesh& mesh, const std::vector<Curve>& curves) {
-  const int64_t pixels = mesh.element(mesh.rows() - 1, mesh.cols() - 1);
   int64_t lines = 0;
   for (const Curve& curve : curves) lines += static_cast<int64_t>(curve.sides.size());
   file << fmt::format("$Elements\n{} {} 1 {}\n", curves.size() + mesh.phases().size(),
-                      lines + mesh.elements(), pixels + lines);
-  write_lines(file, curves, pixels);
+                      mesh.elements() + lines, mesh.elements() + lines);
+  write_lines(file, curves, mesh.elements());
   write_quadrangles(file, mesh);
   file << "$EndElements\n";
 }

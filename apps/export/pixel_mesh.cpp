@@ -1,5 +1,8 @@
 #include "apps/export/pixel_mesh.hpp"
 
+#include <bit>
+#include <cassert>
+
 #include "apps/export/mesh_text.hpp"
 #include "specimen/body/error.hpp"
 
@@ -10,6 +13,26 @@ const char* name_of(Edge edge) {
   return names[static_cast<std::size_t>(edge)];
 }
 
+void DenseNumbers::add(bool taken) {
+  const auto bit = static_cast<unsigned>(places_ % 64);
+  if (bit == 0) {
+    taken_.push_back(0);
+    before_.push_back(count_);
+  }
+  if (taken) {
+    taken_.back() |= std::uint64_t{1} << bit;
+    ++count_;
+  }
+  ++places_;
+}
+
+std::int64_t DenseNumbers::of(std::int64_t place) const {
+  assert(place >= 0 && place < places_);
+  const auto word = static_cast<std::size_t>(place / 64);
+  const std::uint64_t earlier = (std::uint64_t{1} << static_cast<unsigned>(place % 64)) - 1;
+  return before_[word] + std::popcount(taken_[word] & earlier) + 1;
+}
+
 PixelMesh::PixelMesh(const specimen::LabelledMask& mask) : mask_(mask) {
   const std::vector<std::int64_t> counts = specimen::count_labels(mask);
   for (std::size_t label = 0; label < counts.size(); ++label)
@@ -17,13 +40,10 @@ PixelMesh::PixelMesh(const specimen::LabelledMask& mask) : mask_(mask) {
       phases_.push_back({static_cast<std::uint8_t>(label), mask.phases[label], counts[label]});
   if (phases_.empty())
     throw specimen::Error("specimen", "is void throughout", "a mesh needs a pixel that is not");
-  for_each_node([&](MeshNode) { ++nodes_; });
-}
-
-std::int64_t PixelMesh::elements() const {
-  std::int64_t sum = 0;
-  for (const MeshPhase& phase : phases_) sum += phase.elements;
-  return sum;
+  for (int row = 0; row < rows(); ++row)
+    for (int col = 0; col < cols(); ++col) elements_.add(solid(row, col));
+  for (int line = 0; line <= rows(); ++line)
+    for (int col = 0; col <= cols(); ++col) nodes_.add(has({line, col}));
 }
 
 bool PixelMesh::has(MeshNode node) const {

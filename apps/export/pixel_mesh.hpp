@@ -29,9 +29,24 @@ struct MeshNode {
   int col = 0;
 };
 
-/// Every pixel that is not void is an element, and neighbours share their nodes. Numbers tell the place:
-/// pixel (row, col) is element row * cols + col + 1, and the node at its top left corner is number row *
-/// (cols + 1) + col + 1. So numbers of void pixels, and of nodes amid void, are missing.
+/// Numbers 1, 2, 3, ... for those places of a long row that are taken; an eighth of a byte a place and more.
+class DenseNumbers {
+ public:
+  void add(bool taken);  ///< the next place
+  /// @param place  that is taken, from 0.
+  [[nodiscard]] std::int64_t of(std::int64_t place) const;
+  [[nodiscard]] std::int64_t count() const { return count_; }
+
+ private:
+  std::vector<std::uint64_t> taken_;  ///< a bit a place
+  std::vector<std::int64_t> before_;  ///< how many are taken before each 64 of them
+  std::int64_t places_ = 0;
+  std::int64_t count_ = 0;
+};
+
+/// Every pixel that is not void is an element, and neighbours share their nodes. Both are numbered 1, 2, 3,
+/// ... row by row from the top left, and what is void, or a node amid void, is not counted: CalculiX takes
+/// memory for every number up to the largest one, be there an element or not.
 class PixelMesh {
  public:
   /// @param mask  must outlive the mesh.   @throws specimen::Error when all of it is void.
@@ -41,15 +56,19 @@ class PixelMesh {
   [[nodiscard]] int cols() const { return mask_.labels.cols; }
   [[nodiscard]] const specimen::LabelledMask& mask() const { return mask_; }
   [[nodiscard]] const std::vector<MeshPhase>& phases() const { return phases_; }
-  [[nodiscard]] std::int64_t nodes() const { return nodes_; }
-  [[nodiscard]] std::int64_t elements() const;
+  [[nodiscard]] std::int64_t nodes() const { return nodes_.count(); }
+  [[nodiscard]] std::int64_t elements() const { return elements_.count(); }
 
   /// True when the node is a corner of an element.
   [[nodiscard]] bool has(MeshNode node) const;
+  /// Of a node that is there.
   [[nodiscard]] std::int64_t number(MeshNode node) const {
-    return std::int64_t{node.line} * (cols() + 1) + node.col + 1;
+    return nodes_.of(std::int64_t{node.line} * (cols() + 1) + node.col);
   }
-  [[nodiscard]] std::int64_t element(int row, int col) const { return std::int64_t{row} * cols() + col + 1; }
+  /// Number of a pixel that is not void.
+  [[nodiscard]] std::int64_t element(int row, int col) const {
+    return elements_.of(std::int64_t{row} * cols() + col);
+  }
   /// Numbers of the corners of a pixel, counter-clockwise from the bottom left one.
   [[nodiscard]] std::array<std::int64_t, 4> corners(int row, int col) const;
 
@@ -72,7 +91,8 @@ class PixelMesh {
 
   const specimen::LabelledMask& mask_;
   std::vector<MeshPhase> phases_;
-  std::int64_t nodes_ = 0;
+  DenseNumbers elements_;
+  DenseNumbers nodes_;
 };
 
 }  // namespace exchange
