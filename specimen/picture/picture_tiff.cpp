@@ -204,10 +204,13 @@ class TiffReader {
   }
 
   void read_gray(const TiffTags& tags, Picture& picture) {
-    picture.gray = channel(tags);
     const bool counts = tags.format == SAMPLEFORMAT_UINT || tags.format == SAMPLEFORMAT_VOID;
-    if (tags.photometric == PHOTOMETRIC_MINISWHITE && counts)
+    if (tags.photometric == PHOTOMETRIC_MINISWHITE && counts) {
+      picture.gray = tags.bits <= 16 ? channel(tags) : GreyLevels(channel_as<double>(tags, 0));
       picture.gray = turned_over(picture.gray, std::ldexp(1.0, tags.bits) - 1);
+    } else {
+      picture.gray = channel(tags);
+    }
     check_values(tags, picture.gray);
     if (tags.samples == 2) read_opacity(tags, 1, picture);
   }

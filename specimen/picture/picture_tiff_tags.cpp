@@ -48,9 +48,13 @@ std::string_view imagej_value(std::string_view description, std::string_view key
 namespace {
 
 /// Unit of length in a description by ImageJ, which overrides the tag [m]; 0 = there is none that is known.
+/// "um" beside a tag of centimetres is what ImageJ is to show, and the resolution is per centimetre: so does
+/// ImageJ 1.53t read it, and with no other pair of a unit and a tag.
 double unit_of_resolution(TIFF* tiff) {
-  if (const double unit = unit_named(imagej_value(description_of(tiff), "unit")); unit > 0) return unit;
   const int unit = short_tag(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+  const std::string_view shown = imagej_value(description_of(tiff), "unit");
+  if (shown == "um" && unit == RESUNIT_CENTIMETER) return centimetre;
+  if (const double described = unit_named(shown); described > 0) return described;
   if (unit == RESUNIT_CENTIMETER) return centimetre;
   return unit == RESUNIT_INCH ? inch : 0;
 }

@@ -125,7 +125,9 @@ Bytes encode(const std::string& path, const Raster<T>& values, const std::functi
   Memory memory;
   TiffMessages messages;
   const TiffOptions options = quiet_options(messages);
-  TiffHandle tiff(TIFFClientOpenExt(path.c_str(), "w", &memory, memory_read, memory_write, memory_seek,
+  // l: the lowest byte first on every machine. Pillow 9.4 turns compressed numbers of 32 bits round
+  // otherwise.
+  TiffHandle tiff(TIFFClientOpenExt(path.c_str(), "wl", &memory, memory_read, memory_write, memory_seek,
                                     memory_close, memory_size, nullptr, nullptr, options.get()));
   bool written = tiff != nullptr;
   if (written) {

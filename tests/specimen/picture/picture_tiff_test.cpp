@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 
 #include "specimen/picture/picture.hpp"
@@ -67,6 +68,24 @@ TEST(PictureTiff, ReadsBitsOfOneTwoAndFour) {
   EXPECT_EQ(read(4, {0x0f, 0x7a}), (std::vector<double>{0, 15, 7, 10}));
   recipe.photometric = PHOTOMETRIC_MINISWHITE;
   EXPECT_EQ(read(2, {0b00011011}), (std::vector<double>{3, 2, 1, 0}));
+}
+
+template <class T>
+void expect_white_is_zero() {
+  const Scratch scratch;
+  TiffRecipe recipe{4, 1, static_cast<int>(8 * sizeof(T))};
+  recipe.photometric = PHOTOMETRIC_MINISWHITE;
+  const double white = std::ldexp(1.0, recipe.bits) - 1;
+  const Picture picture = specimen::read_picture(make_tiff<T>(scratch, recipe, {0, 1, 2, 100}));
+  EXPECT_EQ(picture.gray.data.doubles(), (std::vector<double>{white, white - 1, white - 2, white - 100}))
+      << recipe.bits;
+}
+
+/// Pillow 9.4 and OpenCV 4.6 do it at 8 bits and not at 16, so that stones and pores change places.
+TEST(PictureTiff, CountsFromBlackWhateverTheBitsWhereZeroIsWhite) {
+  expect_white_is_zero<std::uint8_t>();
+  expect_white_is_zero<std::uint16_t>();
+  expect_white_is_zero<std::uint32_t>();
 }
 
 TEST(PictureTiff, ReadsTilesAndCompressedStripsLikePlainOnes) {
@@ -345,6 +364,60 @@ TEST(PictureTiff, TakesTheTagWhereImageJSaysNothing) {
   EXPECT_EQ(pixel_size_described("unit=mm\n"), 0) << "another program's words";
   EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\n", RESUNIT_CENTIMETER), 0.25e-2);
   EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=furlong\n", RESUNIT_CENTIMETER), 0.25e-2);
+}
+
+/// The one pair that ImageJ 1.53t reads per centimetre: it takes the unit for the one to show.
+TEST(PictureTiff, TakesTheTagOfCentimetresThatAreShownInMicrometres) {
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=um\n", RESUNIT_CENTIMETER), 0.25e-2);
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=um\n", RESUNIT_NONE), 0.25e-6);
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=um\n", RESUNIT_INCH), 0.25e-6);
+  for (const char* unit : {"micron", "\\u00B5m"})
+    EXPECT_DOUBLE_EQ(
+        pixel_size_described(std::string("ImageJ=1.53t\nunit=") + unit + "\n", RESUNIT_CENTIMETER), 0.25e-6)
+        << unit;
+  EXPECT_DOUBLE_EQ(pixel_size_described("ImageJ=1.53t\nunit=mm\n", RESUNIT_CENTIMETER), 0.25e-3);
+}
+
+/// What ImageJ 1.53t, OpenCV 4.6, Pillow 9.4 and VTK 9.1 read alike: one page of unsigned bytes or floats, in
+/// strips from the top, counted from black, the lowest byte first, without a predictor.
+void expect_plain(const std::string& path, int bits, int format) {
+  std::ifstream file(path, std::ios::binary);
+  char order[2] = {};
+  file.read(order, 2);
+  EXPECT_EQ(std::string(order, 2), "II");
+  TIFF* tiff = TIFFOpen(path.c_str(), "r");
+  ASSERT_NE(tiff, nullptr);
+  const auto tag = [&](std::uint32_t name) {
+    std::uint16_t value = 0;
+    TIFFGetFieldDefaulted(tiff, name, &value);
+    return int{value};
+  };
+  EXPECT_EQ(tag(TIFFTAG_BITSPERSAMPLE), bits);
+  EXPECT_EQ(tag(TIFFTAG_SAMPLEFORMAT), format);
+  EXPECT_EQ(tag(TIFFTAG_SAMPLESPERPIXEL), 1);
+  EXPECT_EQ(tag(TIFFTAG_PHOTOMETRIC), PHOTOMETRIC_MINISBLACK);
+  EXPECT_EQ(tag(TIFFTAG_ORIENTATION), ORIENTATION_TOPLEFT);
+  EXPECT_EQ(tag(TIFFTAG_FILLORDER), FILLORDER_MSB2LSB);
+  EXPECT_EQ(tag(TIFFTAG_COMPRESSION), COMPRESSION_ADOBE_DEFLATE);
+  EXPECT_EQ(tag(TIFFTAG_PREDICTOR), PREDICTOR_NONE);
+  EXPECT_EQ(TIFFIsTiled(tiff), 0);
+  EXPECT_EQ(TIFFLastDirectory(tiff), 1);
+  TIFFClose(tiff);
+}
+
+TEST(PictureTiff, WritesWhatOtherProgramsReadAlike) {
+  const Scratch scratch;
+  specimen::LabelledMask mask;
+  mask.pixel_size = 0.125e-3;
+  mask.labels = {2, 3};
+  mask.labels.data = {1, 2, 3, 0, 1, 255};
+  specimen::write_labels(scratch.file("labels.tif"), mask);
+  expect_plain(scratch.file("labels.tif"), 8, SAMPLEFORMAT_UINT);
+  specimen::write_imagej_tiff(scratch.file("imagej.tif"), mask);
+  expect_plain(scratch.file("imagej.tif"), 8, SAMPLEFORMAT_UINT);
+  const specimen::Raster<float> strain(2, 3);
+  specimen::write_imagej_tiff(scratch.file("strain.tif"), strain, mask.pixel_size);
+  expect_plain(scratch.file("strain.tif"), 32, SAMPLEFORMAT_IEEEFP);
 }
 
 TEST(PictureTiff, WritesScaleAndShadesForImageJ) {
