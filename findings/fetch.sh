@@ -14,7 +14,7 @@ cd "$FINDINGS_TMP/work"
 leave() {
   cd /
   rm -rf "$FINDINGS_TMP"
-  if [ "$installed_npm" = yes ]; then apt-get -qq -y purge --auto-remove npm nodejs >/dev/null 2>&1 || true; fi
+  if [ "$installed_npm" = yes ]; then apt-get -qq -y -o Dpkg::Options::=--force-unsafe-io purge --auto-remove npm nodejs >/dev/null 2>&1 || true; fi
 }
 trap leave EXIT
 
@@ -69,10 +69,10 @@ fetch_npm() {
     [ "$(id -u)" = 0 ] || cannot_check "npm is missing; install it with: apt-get install npm"
     [ -n "$(ls /var/lib/apt/lists/*_Packages* 2>/dev/null)" ] || apt-get -qq update >&2
     installed_npm=yes
-    DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends install npm >/dev/null 2>&1 || cannot_check "npm cannot be installed"
+    DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o Dpkg::Options::=--force-unsafe-io --no-install-recommends install npm ca-certificates >/dev/null 2>&1 || cannot_check "npm cannot be installed"
   fi
   echo '{"private": true}' >package.json
-  env -u LD_LIBRARY_PATH npm install --silent --ignore-scripts --no-audit --no-fund --no-package-lock "$@" >&2
+  env -u LD_LIBRARY_PATH npm install --loglevel=error --ignore-scripts --no-audit --no-fund --no-package-lock "$@" >&2
 }
 
 # mpirun_here N COMMAND...: Open MPI of $root, on this machine only.
