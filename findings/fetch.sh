@@ -61,6 +61,10 @@ fetch_debian() {
   export PYTHONPATH=$root/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
   export PATH=$root/usr/bin:$root/bin:$PATH
   if [ -x "$root/usr/bin/python3" ]; then python=$root/usr/bin/python3; fi
+  if [ -e "$root/usr/lib/x86_64-linux-gnu/libmpi.so.40" ]; then  # Open MPI of $root, on this machine only
+    export OPAL_PREFIX=$root/usr OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_plm=isolated
+    export OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_btl_vader_single_copy_mechanism=none
+  fi
 }
 
 # fetch_npm NAME@VERSION...: unpack these npm packages into node_modules of the folder we are in.
@@ -75,11 +79,9 @@ fetch_npm() {
   env -u LD_LIBRARY_PATH npm install --loglevel=error --ignore-scripts --no-audit --no-fund --no-package-lock "$@" >&2
 }
 
-# mpirun_here N COMMAND...: Open MPI of $root, on this machine only.
+# mpirun_here N COMMAND...: the mpirun of $root.
 mpirun_here() {
   local ranks=$1
   shift
-  OPAL_PREFIX=$root/usr OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
-    OMPI_MCA_plm=isolated OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_btl_vader_single_copy_mechanism=none \
-    "$root/usr/bin/mpirun.openmpi" -n "$ranks" --oversubscribe "$@"
+  "$root/usr/bin/mpirun.openmpi" -n "$ranks" --oversubscribe "$@"
 }
