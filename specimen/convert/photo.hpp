@@ -27,12 +27,14 @@ struct ColourClasses {
 [[nodiscard]] ColourClasses colour_classes(const Raster<Lab>& picture, int count);
 
 /// The same with the number of classes taken from the picture:
-/// - a drawing of up to 12 flat colours (noisy or not) has one class per colour;
+/// - a drawing of up to 12 flat colours (noisy or not) has one class per colour, but for colours that only
+///   smooth edges between two others show; of much darker ones a thousandth of the picture is enough;
 /// - a cut with a pink indicator (phenolphthalein): seven classes, of which pink is mortar, an
 ///   untinted one is aggregate, and one that is between both, darker and browner, is void (the
 ///   shaded mortar inside a pore);
 /// - else two classes by tint, lightness and roughness, each over squares of 2 % of the picture:
-///   grains that are cut or worn are smooth beside a sandy matrix.
+///   grains that are cut or worn are smooth beside a sandy matrix; holes and their rims are left out. Classes
+///   that pass into each other without edges, as under uneven light, are one.
 /// In both of the latter, pixels below half of the median lightness form a separate class: they are
 /// holes. Source of the indicator's meaning: EN 14630.
 /// @param picture  after a median filter.   @param grainy  the same picture before that, for its roughness.

@@ -13,6 +13,7 @@
 #include "specimen/convert/levels.hpp"
 #include "specimen/convert/outside.hpp"
 #include "specimen/convert/photo.hpp"
+#include "specimen/convert/reading.hpp"
 #include "specimen/convert/segment_map.hpp"
 #include "specimen/convert/smoothing.hpp"
 
@@ -197,15 +198,34 @@ ColourClasses classes_by_colour(const Raster<Rgb>& picture, bool has_black, cons
   return automatic_classes(calm, to_lab(factor > 1 ? shrunk(picture, factor) : picture), has_black);
 }
 
-/// Phases of colour classes: the darkest is void when it has less than half of the lightness of the others'
-/// mean.
-std::vector<std::string> guessed_phases(const ColourClasses& found) {
+/// Whether the darkest class has less than half of the lightness of the others' mean.
+bool has_dark_class(const ColourClasses& found) {
   const int count = static_cast<int>(found.centres.size());
-  if (!found.phases.empty()) return found.phases;
   double others = 0;
   for (int k = 1; k < count; ++k) others += found.centres[static_cast<std::size_t>(k)][0] / (count - 1);
-  const bool dark = found.dark || (!found.flat && found.centres[0][0] < 0.5 * others);
-  return guess_class_phases(found.classes, count, dark);
+  return found.dark || found.centres[0][0] < 0.5 * others;
+}
+
+/// A drawing in a few colours is read by how they lie, as a map of labels is.
+std::vector<std::string> read_drawing(const ColourClasses& found, ConvertReport& report) {
+  ValueMap map;
+  map.code = Raster<std::int32_t>(found.classes.rows, found.classes.cols);
+  std::copy(found.classes.data.begin(), found.classes.data.end(), map.code.data.begin());
+  for (std::size_t k = 0; k < found.centres.size(); ++k) map.values.push_back(static_cast<std::int64_t>(k));
+  map.black = has_dark_class(found) ? 0 : -1;
+  Reading reading = read_map(map);
+  if (reading.other.empty()) return std::move(reading.phases);
+  std::string names;
+  for (const std::string& phase : reading.other) names += (names.empty() ? "" : ",") + phase;
+  note(report, "the picture can be read in two ways; class_phases = " + names + " gives the other one");
+  return std::move(reading.phases);
+}
+
+/// Phases of colour classes: of a photograph a dark one is void.
+std::vector<std::string> guessed_phases(const ColourClasses& found, ConvertReport& report) {
+  if (!found.phases.empty()) return found.phases;
+  if (found.flat) return read_drawing(found, report);
+  return guess_class_phases(found.classes, static_cast<int>(found.centres.size()), has_dark_class(found));
 }
 
 /// Names belong to the classes that a run without them has told, so that these can be corrected.
@@ -230,7 +250,7 @@ Sorted segment_colours(const Picture& picture, const ConvertOptions& o, ConvertR
   const bool guessed = o.class_phases.empty();
   if (!guessed && static_cast<int>(o.class_phases.size()) != count)
     refuse_names(o.class_phases.size(), found, o);
-  const std::vector<std::string> phases = guessed ? guessed_phases(found) : o.class_phases;
+  const std::vector<std::string> phases = guessed ? guessed_phases(found, report) : o.class_phases;
   sorted.drawing = found.flat;
   sorted.photograph = !found.flat;
 

@@ -155,6 +155,10 @@ std::vector<std::string> phases_of_map(ValueMap& map, const Picture& picture, co
 Sorted segment_labels(ValueMap map, Picture picture, const ConvertOptions& o, ConvertReport& report) {
   refuse_median(o, Segmentation::labels);
   const std::vector<std::string> phases = phases_of_map(map, picture, o, report);
+  if (picture.lossy)
+    add_note(report,
+             "a JPEG blurs gaps of a pixel or two between grains, which may have become one: save maps as "
+             "PNG or TIFF");
   picture = {};
   add_note(report, "read as a map of " + counted(map.count(), map.colours ? "colour" : "label"));
   note_values(map, phases, o.label_phases.empty() ? "guessed" : "as given", report);

@@ -58,7 +58,8 @@ Picture read_picture(const std::string& path, std::int64_t max_pixels, SizeListe
       return read_pnm(source);
     case PictureFormat::hdf5:
       throw Error(path, "is an HDF5 file", "PNG, TIFF, BMP, JPEG, PGM and PPM are read",
-                  "a specimen of mesopix needs no conversion: give it to the next command as it is");
+                  "a specimen of mesopix needs no conversion: give it to the next command as it is; export "
+                  "labels of another program, such as exported_data of ilastik, as PNG or TIFF");
     case PictureFormat::unknown:
       break;
   }

@@ -66,4 +66,30 @@ inline void add_noise(specimen::Raster<specimen::Rgb>& picture, int amplitude, s
   }
 }
 
+inline specimen::Rgb grey(int level) {
+  const auto byte = static_cast<std::uint8_t>(level);
+  return {byte, byte, byte};
+}
+
+/// Three stones and two rows of pores in mortar, with edges as blurred as a lens makes them, in greys; 240 x
+/// 240.
+inline specimen::Raster<specimen::Rgb> cut_with_pores(specimen::Rgb pore, specimen::Rgb stone,
+                                                      specimen::Rgb mortar, int pores, int noise) {
+  specimen::Raster<specimen::Rgb> picture(240, 240, mortar);
+  draw_disc(picture, 60, 70, 30, stone);
+  draw_disc(picture, 150, 160, 30, stone);
+  draw_disc(picture, 60, 180, 30, stone);
+  for (int i = 0; i < pores; ++i) draw_disc(picture, 220 - 8 * (i % 2), 15 + 216 / pores * i, 3.2, pore);
+  specimen::Raster<specimen::Rgb> blurred = picture;
+  for (int r = 1; r + 1 < picture.rows; ++r)
+    for (int c = 1; c + 1 < picture.cols; ++c) {
+      int sum = 0;
+      for (int k = 0; k < 9; ++k)
+        sum += (k % 2 == 0 ? k == 4 ? 4 : 1 : 2) * picture(r + k / 3 - 1, c + k % 3 - 1).r;
+      blurred(r, c) = grey(sum / 16);
+    }
+  add_noise(blurred, noise);
+  return blurred;
+}
+
 }  // namespace specimen_test

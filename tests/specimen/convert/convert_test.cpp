@@ -65,6 +65,22 @@ LabelledMask our_mask() {
   return mask;
 }
 
+/// Sorted by colours it is a drawing, and read as a map of labels would be.
+TEST(Convert, KeepsThePoresOfADrawing) {
+  specimen::Picture picture;
+  picture.colour = Raster<Rgb>(240, 240, Rgb{120, 120, 110});
+  draw_disc(picture.colour, 60, 70, 30, Rgb{190, 190, 180});
+  draw_disc(picture.colour, 150, 160, 30, Rgb{190, 190, 180});
+  for (int i = 0; i < 8; ++i) draw_disc(picture.colour, 220, 20 + 25 * i, 5, Rgb{25, 25, 25});
+  ConvertOptions options;
+  options.width = 0.06;
+  options.method = Segmentation::kmeans;
+  const Converted converted = convert_picture(picture, options);
+  EXPECT_EQ(converted.segmented.inclusions.size(), 2U);
+  EXPECT_EQ(converted.segmented.mask.labels(220, 20), specimen::phase::void_);
+  EXPECT_EQ(converted.segmented.mask.labels(120, 120), specimen::phase::mortar);
+}
+
 class OurLabels : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(OurLabels, ComeBackAsTheyWere) {

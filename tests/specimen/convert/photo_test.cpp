@@ -17,7 +17,9 @@ using specimen::ColourClasses;
 using specimen::Raster;
 using specimen::Rgb;
 using specimen_test::add_noise;
+using specimen_test::cut_with_pores;
 using specimen_test::draw_disc;
+using specimen_test::grey;
 using ::testing::HasSubstr;
 
 ColourClasses automatic(const Raster<Rgb>& picture) {
@@ -108,6 +110,39 @@ TEST(Photo, SetsApartWhatSwallowsTheLight) {
   EXPECT_TRUE(found.dark);
   EXPECT_EQ(found.classes(50, 50), 0);
   EXPECT_NE(found.classes(150, 50), 0);
+}
+
+TEST(Photo, TakesNoSmoothEdgesForColoursOfADrawing) {
+  const ColourClasses found = automatic(cut_with_pores(grey(25), grey(190), grey(120), 12, 6));
+  EXPECT_TRUE(found.flat);
+  EXPECT_EQ(found.centres.size(), 3U) << found.reason;
+  EXPECT_EQ(found.classes(220, 15), 0);
+  EXPECT_EQ(found.classes(120, 120), 1);
+  EXPECT_EQ(found.classes(60, 70), 2);
+}
+
+TEST(Photo, LeavesHolesOutWhereItTellsStonesFromMortar) {
+  const ColourClasses found = automatic(cut_with_pores(grey(30), grey(150), grey(190), 24, 25));
+  ASSERT_FALSE(found.flat);
+  ASSERT_EQ(found.centres.size(), 3U) << found.reason << found.centres[0][0];
+  EXPECT_EQ(found.classes(220, 15), 0);
+  EXPECT_EQ(found.classes(60, 70), 1);
+  EXPECT_EQ(found.classes(150, 160), 1);
+  EXPECT_EQ(found.classes(110, 120), 2);
+}
+
+TEST(Photo, TakesUnevenLightForNoSecondPhase) {
+  Raster<Rgb> picture(240, 240);
+  for (int r = 0; r < 240; ++r)
+    for (int c = 0; c < 240; ++c) picture(r, c) = grey(90 + (r + c) / 4);
+  draw_disc(picture, 120, 60, 14, grey(15));
+  add_noise(picture, 15);
+  const ColourClasses found = automatic(picture);
+  ASSERT_EQ(found.centres.size(), 2U) << found.reason;
+  EXPECT_EQ(found.phases, (std::vector<std::string>{"void", "mortar"}));
+  EXPECT_EQ(found.classes(120, 60), 0);
+  EXPECT_EQ(found.classes(20, 20), 1);
+  EXPECT_EQ(found.classes(220, 220), 1);
 }
 
 TEST(Photo, SortsTheSamePictureAlikeEveryTime) {

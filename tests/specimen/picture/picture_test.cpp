@@ -75,7 +75,8 @@ TEST(Picture, RefusesWhatIsNoPicture) {
   specimen_test::expect_refused(
       scratch.write("specimen.h5", std::string("\x89HDF\r\n\x1a\n")),
       "is an HDF5 file; PNG, TIFF, BMP, JPEG, PGM and PPM are read; "
-      "a specimen of mesopix needs no conversion: give it to the next command as it is");
+      "a specimen of mesopix needs no conversion: give it to the next command as it is; export labels of "
+      "another program, such as exported_data of ilastik, as PNG or TIFF");
 }
 
 TEST(Picture, TellsItsSizeBeforeItsPixels) {
