@@ -195,14 +195,13 @@ std::string announcement(const CalibrationTask& task) {
   const mpm::Scene scene = scene_for(task.target, build_scene(task.specimen, task.settings));
   const RunSize size = size_of(scene);
   const int workers = std::min(workers_of(scene), task.seeds);
+  const std::vector<RunSize> runs(static_cast<std::size_t>(task.seeds), size);
   const double seconds = time_of_runs(
-      std::vector(static_cast<std::size_t>(task.seeds), size), [&] { return scene; }, workers);
+      runs, [&](std::size_t) { return scene; }, workers);
   if (!is_long(seconds * std::min(task.evaluations, usual_evaluations))) return {};
-  return fmt::format(
-      "each set of parameters takes about {} here: {} of {} points and {} steps, {} at a time; at most {} "
-      "are tried",
-      duration_text(seconds), counted(task.seeds, "run"), size.points, size.steps, workers,
-      counted(task.evaluations, "set"));
+  return fmt::format("each set of parameters takes {} {} here: {} of {}, {} at a time; at most {} are tried",
+                     precision_word({size}, false), duration_text(seconds), counted(task.seeds, "run"),
+                     size_text({size}), workers, counted(task.evaluations, "set"));
 }
 
 namespace {

@@ -13,6 +13,7 @@
 #include "apps/text/markup.hpp"
 #include "apps/text/version.hpp"
 #include "libmpm/files/replace_file.hpp"
+#include "specimen/describe/doubts.hpp"
 
 namespace app {
 namespace {
@@ -150,6 +151,7 @@ Json calibration_json(const CalibrationTask& task, const Calibration& calibratio
   const std::string unmet = why_not_met(task, calibration), doubt = doubt_of(task.target);
   return {{"target", target_json(task.target)},
           {"met", unmet.empty()},
+          {"warnings", specimen::doubts_of(task.specimen)},
           {"doubt", doubt.empty() ? Json(nullptr) : Json(doubt)},
           {"why_not_met", unmet.empty() ? Json(nullptr) : Json(unmet)},
           {"misfit", calibration.misfit},

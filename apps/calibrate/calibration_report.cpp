@@ -13,6 +13,7 @@
 #include "apps/text/figures.hpp"
 #include "apps/text/markup.hpp"
 #include "apps/text/words.hpp"
+#include "specimen/describe/doubts.hpp"
 
 namespace app {
 namespace {
@@ -313,7 +314,8 @@ std::string header(const CalibrationTask& task, const Calibration& calibration, 
   const auto said = [](const char* heading, const std::string& text) {
     return text.empty() ? "" : output::section(heading, output::paragraph(output::capitalised(text) + "."));
   };
-  return output::heading(title, setting) + said("Not met", unmet) + said("No peak", doubt_of(task.target));
+  return output::heading(title, setting) + said("Not met", unmet) + said("No peak", doubt_of(task.target)) +
+         output::warnings_section(specimen::doubts_of(task.specimen));
 }
 
 constexpr const char* curves_caption =

@@ -185,6 +185,8 @@ class InspectCommand : public Command {
   Exit run(Console& console) override {
     require(file_, "FILE", "mesopix inspect FILE");
     const Json figures = inspect(file_);
+    if (const auto doubts = figures.find("warnings"); doubts != figures.end())
+      for (const Json& doubt : *doubts) console.warn(doubt.get<std::string>());
     console.out << (json_ ? json_text(figures) : printable_lines(figures_text(figures)));
     return Exit::ok;
   }

@@ -110,6 +110,7 @@ class StiffnessCommand : public SettingsCommand {
     Reports reports;
     for (const std::string& input : inputs_) {
       reports.push_back(report_of(input, console));
+      for (const std::string& doubt : reports.back().doubts) console.warn(doubt);
       for (const std::string& note : stiffness_notes(reports.back())) console.say("note: " + note);
     }
     if (!output_.empty()) mpm::replace_file(output_, json_text(reports_json(reports)));

@@ -31,8 +31,10 @@ class StudyCollectCommand : public Command {
     if (missing == open.members.size())
       throw Rejected(Exit::data, "study collect", open.folder.path().string(), "has no result yet",
                      "mesopix study submit");
-    close_study(open.folder, open.study, open.members, results, console);
-    if (json_) console.out << json_text(study_json(open.folder, open.study, open.members, results));
+    const std::vector<std::string> doubts =
+        close_study(open.folder, open.study, open.members, results, console);
+    for (const std::string& doubt : doubts) console.warn(doubt);
+    if (json_) console.out << json_text(study_json(open.folder, open.study, open.members, results, doubts));
     if (missing > 0) {
       console.say(fmt::format("{} of {} members have no result yet", missing, open.members.size()));
       return Exit::interrupted;

@@ -173,9 +173,11 @@ class StudyCommand : public Command {
 
   /// Tables, report, and what a person wants to hear.   @throws Rejected when members have failed.
   void finish(const WholeStudy& whole, Console& console) const {
-    close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
+    const std::vector<std::string> doubts =
+        close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
     if (json_)
-      console.out << json_text(study_json(input_.folder(), whole.study, whole.members, *whole.results));
+      console.out << json_text(
+          study_json(input_.folder(), whole.study, whole.members, *whole.results, doubts));
     refuse_failures(whole.study, input_.folder(), whole.members);
     if (const double share = until_ci(); share > 0 && !(whole.half_width() <= share))
       throw Rejected(Exit::data, "--until-ci", until_ci_,

@@ -9,6 +9,7 @@
 #include "apps/job/job.hpp"
 #include "apps/settings/offer.hpp"
 #include "apps/text/words.hpp"
+#include "specimen/describe/doubts.hpp"
 #include "specimen/describe/statistics.hpp"
 
 namespace app {
@@ -142,6 +143,7 @@ StiffnessReport measure_stiffness(const std::string& name, const specimen::Speci
   for (std::size_t i = 0; i < all_boundaries.size(); ++i)
     report.boundaries[i] = measure(scene, all_boundaries[i]);
   report.bounds = mpm::stiffness_bounds(mpm::phase_shares(scene));
+  report.doubts = specimen::doubts_of(specimen);
   return report;
 }
 
@@ -158,6 +160,7 @@ Json stiffness_json(const StiffnessReport& report) {
             {"pixel_size_m", report.pixel_size},
             {"plane", report.plane == mpm::Plane::strain ? "strain" : "stress"},
             {"cell", report.cell},
+            {"warnings", report.doubts},
             {"phases", Json::object()}};
   for (const MixedPhase& phase : report.phases)
     json["phases"][phase.name] = {

@@ -44,6 +44,7 @@ struct StiffnessReport {
   std::vector<MixedPhase> phases;
   std::array<BoundaryStiffness, 3> boundaries;  ///< by mpm::Boundary
   mpm::StiffnessBounds bounds;
+  std::vector<std::string> doubts;  ///< see specimen::doubts_of()
 };
 
 /// The words of a condition: "uniform_stress".

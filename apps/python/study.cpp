@@ -64,8 +64,8 @@ app::WholeStudy run(const app::StudyFolder& folder, app::Study study, std::vecto
 void close(const Breakings& breakings) {
   std::ostringstream nowhere;
   app::Console console{nowhere, nowhere, false, true, {}};
-  app::close_study(breakings.folder, breakings.whole.study, breakings.whole.members, *breakings.whole.results,
-                   console);
+  (void)app::close_study(breakings.folder, breakings.whole.study, breakings.whole.members,
+                         *breakings.whole.results, console);
 }
 
 void study_conclude(const BreakingsPointer& breakings, const Wanted& wanted, const Spectator& spectator) {

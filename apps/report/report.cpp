@@ -36,12 +36,13 @@ namespace {
 std::string error_text(double error) { return rounded(100 * error, 2) + " %"; }
 
 std::vector<std::string> row_of(const ErrorSource& source, const StrainUnit& unit) {
+  const std::string above = source.peak_reached ? "" : "> ";  // it ended before its peak
   return {source.name,
           source.compared + (source.peak_reached ? "" : ", no peak"),
-          rounded(1e-6 * source.peak_stress, 4),
-          rounded(unit.per_strain * source.peak_strain, 4),
-          error_text(source.stress_error),
-          error_text(source.strain_error),
+          above + rounded(1e-6 * source.peak_stress, 4),
+          above + rounded(unit.per_strain * source.peak_strain, 4),
+          above + error_text(source.stress_error),
+          above + error_text(source.strain_error),
           rounded(source.wall_time, 2)};
 }
 
@@ -56,9 +57,11 @@ std::string error_section(const RunRecord& record) {
   return section(
       "Error of the peak",
       paragraph(fmt::format(
-          "At most {} in stress and {} in strain, if all errors have the same sign; estimated from {} "
+          "At {} {} in stress and {} in strain, if all errors have the same sign{}; estimated from {} "
           "in {} s.",
-          error_text(estimate.stress_error()), error_text(estimate.strain_error()),
+          estimate.is_least() ? "least" : "most", error_text(estimate.stress_error()),
+          error_text(estimate.strain_error()),
+          estimate.is_least() ? ", and more where a run that was compared with ended before its peak" : "",
           estimate.sources.size() == 1 ? "a second run" : "further runs", rounded(estimate.wall_time(), 2))) +
           number_table({"Source", "Compared with", "Peak stress [MPa]", "Peak strain [" + unit.name + "]",
                         "Error of stress", "Error of strain", "Wall time [s]"},

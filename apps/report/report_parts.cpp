@@ -106,6 +106,10 @@ std::string notes_list(const std::vector<std::string>& notes) {
   return "<ul class=\"notes\">\n" + html + "</ul>\n";
 }
 
+std::string warnings_section(const std::vector<std::string>& doubts) {
+  return doubts.empty() ? "" : section("Warnings", notes_list(doubts));
+}
+
 std::string side_by_side(const std::string& css_class, const std::string& left_html,
                          const std::string& right_html) {
   return fmt::format("<div class=\"pair {}\">\n<div>\n{}</div>\n<div>\n{}</div>\n</div>\n", css_class,

@@ -48,6 +48,9 @@ struct Fact {
 [[nodiscard]] std::string pictures(const std::string& html);  ///< figures beside each other
 [[nodiscard]] std::string notes_list(const std::vector<std::string>& notes);
 
+/// A section of what speaks against a specimen, see specimen::doubts_of(); empty where there is nothing.
+[[nodiscard]] std::string warnings_section(const std::vector<std::string>& doubts);
+
 /// Two columns on wide screens, one on narrow ones.
 /// @param css_class  "even", "lead" (the left one is wider) or "fit" (the left one is as wide as its
 /// content).

@@ -192,8 +192,7 @@ std::string header_html(const RunRecord& record) {
 }
 
 std::string notes_section(const RunRecord& record) {
-  const std::vector<std::string> doubts = specimen::doubts_of(record.specimen);
-  return (doubts.empty() ? "" : section("Warnings", notes_list(doubts))) +
+  return warnings_section(specimen::doubts_of(record.specimen)) +
          (record.notes.empty() ? "" : section("Notes", notes_list(record.notes)));
 }
 

@@ -1,6 +1,7 @@
 /// A run as its files and pages need it, and how wrong its peak may be.
 #pragma once
 
+#include <algorithm>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -30,6 +31,12 @@ struct ErrorEstimate {
   [[nodiscard]] double stress_error() const { return sum(&ErrorSource::stress_error); }  ///< [-]
   [[nodiscard]] double strain_error() const { return sum(&ErrorSource::strain_error); }  ///< [-]
   [[nodiscard]] double wall_time() const { return sum(&ErrorSource::wall_time); }        ///< [s]
+
+  /// Whether a run that was compared with ended before its peak, so that the errors may be larger.
+  [[nodiscard]] bool is_least() const {
+    return std::any_of(sources.begin(), sources.end(),
+                       [](const ErrorSource& source) { return !source.peak_reached; });
+  }
 
  private:
   [[nodiscard]] double sum(double ErrorSource::*value) const {

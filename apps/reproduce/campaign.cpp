@@ -1,11 +1,16 @@
 #include "apps/reproduce/campaign.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <exception>
+#include <map>
 
+#include "apps/job/job.hpp"
 #include "apps/report/report_parts.hpp"
+#include "apps/run/run_length.hpp"
 #include "apps/system/job_pool.hpp"
 #include "apps/text/complaint.hpp"
 #include "apps/text/words.hpp"
@@ -93,6 +98,53 @@ FigureResult result_of(const Figure& figure, const Effort& effort, const TrialRe
 }
 
 }  // namespace
+
+namespace {
+
+/// The trials of the first round, those of a figure with a second one twice.
+std::vector<Trial> trials_to_come(const std::vector<const Figure*>& figures, const Effort& effort) {
+  TrialResults first;
+  std::vector<Trial> second;
+  for (const Figure* figure : figures)
+    for (const Trial& trial : figure->trials(effort)) {
+      first.expect(trial);
+      if (figure->more_trials) second.push_back(trial);
+    }
+  std::vector<Trial> all;
+  for (const TrialResults::Entry& entry : first.entries()) all.push_back(entry.trial);
+  all.insert(all.end(), second.begin(), second.end());
+  return all;
+}
+
+/// Trials that differ by nothing but their random numbers share it.
+std::string size_key(Trial trial) {
+  std::erase_if(trial.settings, [](const Setting& setting) { return setting.first.ends_with(".seed"); });
+  return name_of(trial);
+}
+
+}  // namespace
+
+std::string announcement(const std::vector<const Figure*>& figures, const Effort& effort, int workers) {
+  const std::vector<Trial> trials = trials_to_come(figures, effort);
+  std::map<std::string, RunSize> known;
+  std::vector<RunSize> sizes;
+  bool may_end_before = false;
+  for (const Trial& trial : trials) {
+    const auto [place, is_new] = known.try_emplace(size_key(trial));
+    if (is_new) {
+      const mpm::Scene scene = make_job(settings_of(trial)).scene;
+      place->second = size_of(scene);
+      may_end_before = may_end_before || scene.loading.stop_drop;
+    }
+    sizes.push_back(place->second);
+  }
+  const double seconds = time_of_runs(
+      sizes, [&](std::size_t i) { return make_job(settings_of(trials[i])).scene; }, workers);
+  if (!is_long(seconds)) return {};
+  return fmt::format("{} of up to {}, which take {} {} here, {} at a time",
+                     app::counted(static_cast<int>(sizes.size()), "run"), size_text(sizes),
+                     precision_word(sizes, may_end_before), duration_text(seconds), workers);
+}
 
 Reproduction reproduce_figures(const std::vector<const Figure*>& figures, const Effort& effort, int workers,
                                const Watch& watch) {

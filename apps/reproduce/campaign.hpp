@@ -37,6 +37,12 @@ struct Reproduction {
   bool interrupted = false;
 };
 
+/// What the runs of figures take, where that is long: "128 runs of up to ... points and ... steps, which take
+/// about 4 min here, 2 at a time". A second round counts as much as the first one. Measured within seconds;
+/// empty for short ones.   @param workers  as of reproduce_figures().   @throws Rejected, mpm::Error.
+[[nodiscard]] std::string announcement(const std::vector<const Figure*>& figures, const Effort& effort,
+                                       int workers);
+
 /// @param workers  runs at a time, each on one thread.   @throws the exceptions of run_trial.
 [[nodiscard]] Reproduction reproduce_figures(const std::vector<const Figure*>& figures, const Effort& effort,
                                              int workers, const Watch& watch);

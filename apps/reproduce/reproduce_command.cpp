@@ -65,6 +65,10 @@ class ReproduceCommand : public Command {
     const fs::path folder = make_run_folder(output_, "reproduce", overwrite_);
     const Workers workers = workers_within_cores(jobs_ > 0 ? jobs_ : core_count(), "--jobs");
     if (!workers.note.empty()) console.say("note: " + workers.note);
+    if (!console.quiet)
+      if (const std::string length = announcement(figures, reproduce::Effort(), workers.count);
+          !length.empty())
+        console.say(length);
     const InterruptGuard guard;
     const auto reproduction = [&] {
       TerminalLine line(console);

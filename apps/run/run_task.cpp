@@ -139,9 +139,9 @@ std::string estimate_text(const output::ErrorEstimate& estimate) {
     parts += (parts.empty() ? "" : ", ") + source.name + (source.peak_reached ? " " : " at least ") +
              percent_text(source.stress_error);
   return fmt::format(
-      "the peak stress may be wrong by {} and its strain by {} ({}), estimated in {:.2f} s more",
-      percent_text(estimate.stress_error()), percent_text(estimate.strain_error()), parts,
-      estimate.wall_time());
+      "the peak stress may be wrong by {0}{1} and its strain by {0}{2} ({3}), estimated in {4:.2f} s more",
+      estimate.is_least() ? "at least " : "", percent_text(estimate.stress_error()),
+      percent_text(estimate.strain_error()), parts, estimate.wall_time());
 }
 
 std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {

@@ -34,12 +34,15 @@ void say_means(const Study& study, const StudyResults& results, Console& console
 
 }  // namespace
 
-void close_study(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
-                 const StudyResults& results, Console& console) {
+std::vector<std::string> close_study(const StudyFolder& folder, const Study& study,
+                                     const std::vector<Member>& members, const StudyResults& results,
+                                     Console& console) {
+  std::vector<std::string> doubts = doubts_of(members);
   write_tables(folder, study, members, results);
-  write_study_report(folder, study, members, results);
+  write_study_report(folder, study, members, results, doubts);
   say_means(study, results, console);
   console.say("wrote " + folder.path().string());
+  return doubts;
 }
 
 nlohmann::ordered_json count_json(const StudyFolder& folder, const std::vector<Member>& members) {
@@ -58,8 +61,10 @@ nlohmann::ordered_json count_json(const StudyFolder& folder, const std::vector<M
 }
 
 nlohmann::ordered_json study_json(const StudyFolder& folder, const Study& study,
-                                  const std::vector<Member>& members, const StudyResults& results) {
+                                  const std::vector<Member>& members, const StudyResults& results,
+                                  const std::vector<std::string>& doubts) {
   nlohmann::ordered_json json = count_json(folder, members);
+  json["warnings"] = doubts;
   json["without_peak"] = results.without_peak();
   json["peak_stress"] = nullptr;
   if (study.plan.parameters.empty()) {

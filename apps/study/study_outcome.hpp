@@ -11,19 +11,21 @@
 
 namespace app {
 
-/// Write tables and report of what has a result, and say the means.
+/// Write tables and report of what has a result, and say the means.   @return the doubts of the specimens.
 /// @throws mpm::FileError, specimen::Error (Fault::write) when the disk fails.
-void close_study(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
-                 const StudyResults& results, Console& console);
+std::vector<std::string> close_study(const StudyFolder& folder, const Study& study,
+                                     const std::vector<Member>& members, const StudyResults& results,
+                                     Console& console);
 
 /// How many of the members are done, have failed or are open, and in which folder.
 [[nodiscard]] nlohmann::ordered_json count_json(const StudyFolder& folder,
                                                 const std::vector<Member>& members);
 
-/// The same with the mean peak stress, where no value varies, and the files.
+/// The same with the doubts of close_study(), the mean peak stress, where no value varies, and the files.
 [[nodiscard]] nlohmann::ordered_json study_json(const StudyFolder& folder, const Study& study,
                                                 const std::vector<Member>& members,
-                                                const StudyResults& results);
+                                                const StudyResults& results,
+                                                const std::vector<std::string>& doubts);
 
 /// Each of the first failed members with its reason, and where the others are told.
 /// @throws Rejected (Exit::data) when any has failed.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "apps/drawing/drawing_files.hpp"
 #include "apps/drawing/picture_parts.hpp"
@@ -129,19 +130,19 @@ std::string study_html(const StudyRecord& record, const std::string& study_toml)
                   {"Size effect", size_section},
                   {"Failures", failures_section},
                   {"Notes", notes_section}};
-  std::string html = header(record);
+  std::string html = header(record) + output::warnings_section(record.doubts);
   for (const auto& one : sections) html += output::standing(one.heading, [&] { return one.of(record); });
   return output::page(record.study.plan.title,
                       html + section("Study", output::folded("The study file", study_toml)));
 }
 
 void write_study_report(const StudyFolder& folder, const Study& study, const std::vector<Member>& members,
-                        const StudyResults& results) {
+                        const StudyResults& results, std::vector<std::string> doubts) {
   const auto done = std::find_if(results.outcomes.begin(), results.outcomes.end(),
                                  [](const auto& outcome) { return outcome.state == MemberState::done; });
   const auto first = done == results.outcomes.end() ? 0 : done - results.outcomes.begin();
   const Settings& settings = *members[static_cast<std::size_t>(first)].settings;
-  StudyRecord record{study, members, results, settings.scene, {}};
+  StudyRecord record{study, members, results, settings.scene, {}, std::move(doubts)};
   if (results.cracks.failures.size() > 0 && !varies_pixels(study.plan))
     record.mask = prepare_cells(settings).specimen.mask;
   if (has_crack_picture(record))

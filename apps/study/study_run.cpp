@@ -242,27 +242,35 @@ CheckedScenes check_scenes(const Study& study, const std::vector<Member>& member
   return checked;
 }
 
+std::vector<std::string> doubts_of(const std::vector<Member>& members) {
+  SampleSpecimens specimens;
+  for (const Member& member : members)
+    if (const Source source = source_of(*member.settings);
+        source == Source::file || source == Source::picture)
+      (void)specimens.of(*member.settings);
+  return specimens.doubts();
+}
+
 std::string announcement(const StudyFolder& folder, const std::vector<Member>& members,
                          const std::vector<RunSize>& sizes, int workers) {
   std::vector<RunSize> open;
-  RunSize largest, most;
-  const Member* sample = nullptr;
+  std::vector<const Member*> runs;
+  bool may_end_before = false;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (folder.has_result(members[i]) || folder.has_failed(members[i])) continue;
     open.push_back(sizes[i]);
-    most = {std::max(most.points, sizes[i].points), std::max(most.steps, sizes[i].steps)};
-    if (sizes[i].updates() <= largest.updates()) continue;
-    largest = sizes[i];
-    sample = &members[i];
+    runs.push_back(&members[i]);
+    may_end_before = may_end_before || members[i].settings->scene.loading.stop_drop;
   }
-  if (sample == nullptr) return {};
-  const Settings& settings = *sample->settings;
-  const double seconds = time_of_runs(
-      open, [&] { return make_job(settings, prepare_cells(settings)).scene; }, workers);
+  const auto scene_of = [&](std::size_t i) {
+    const Settings& settings = *runs[i]->settings;
+    return make_job(settings, prepare_cells(settings)).scene;
+  };
+  const double seconds = time_of_runs(open, scene_of, workers);
   if (!is_long(seconds)) return {};
-  return fmt::format("{} of up to {} points and {} steps, which take {} {} here, {} at a time",
-                     counted(static_cast<int>(open.size()), "member"), most.points, most.steps,
-                     settings.scene.loading.stop_drop ? "up to" : "about", duration_text(seconds), workers);
+  return fmt::format("{} of up to {}, which take {} {} here, {} at a time",
+                     counted(static_cast<int>(open.size()), "member"), size_text(open),
+                     precision_word(open, may_end_before), duration_text(seconds), workers);
 }
 
 StudyTally run_members(const Study& study, const StudyFolder& folder, const std::vector<Member>& members,

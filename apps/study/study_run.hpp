@@ -92,6 +92,10 @@ struct CheckedScenes {
 /// @throws Rejected (Exit::data) naming the first member that is not valid, and its values.
 CheckedScenes check_scenes(const Study& study, const std::vector<Member>& members);
 
+/// What speaks against the specimens of members, which come from files and pictures, each told once; see
+/// specimen::doubts_of(). Nothing of those that cannot be made any more.
+[[nodiscard]] std::vector<std::string> doubts_of(const std::vector<Member>& members);
+
 /// What the members that have no result yet take, where that is long: "20 members of up to ... points and ...
 /// steps, which take about 12 min here, 2 at a time". Measured on one of them within a second; empty for a
 /// short study.   @param sizes  of check_scenes().   @param workers  as of run_members().

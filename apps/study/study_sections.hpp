@@ -18,6 +18,7 @@ struct StudyRecord {
   const StudyResults& results;
   mpm::Scene scene;                            ///< of the first member that is done, without labels
   std::optional<specimen::LabelledMask> mask;  ///< of that member, where all have one size
+  std::vector<std::string> doubts = {};        ///< of the specimens, see doubts_of()
 };
 
 /// Peak stress and strain: mean, scatter, confidence interval, histogram; by point where parameters vary.

@@ -14,6 +14,7 @@
 #include "apps/twin/twin_report.hpp"
 #include "apps/twin/twin_words.hpp"
 #include "libmpm/files/replace_file.hpp"
+#include "specimen/describe/doubts.hpp"
 
 namespace app {
 namespace {
@@ -173,6 +174,7 @@ TwinStatistics write_twin_statistics(const fs::path& folder, const TwinTask& tas
   TwinStatistics statistics{specimen::compare(task.descriptors, descriptors_of(twins)), std::move(notes), {}};
   for (std::string& note : twin_notes(task, twins)) statistics.notes.push_back(std::move(note));
   auto json = twins_json(task, twins, statistics.misfit);
+  json["warnings"] = specimen::doubts_of(task.original);
   json["notes"] = statistics.notes;
   statistics.json = json_text(json);
   remove_other_twins(folder, twins);

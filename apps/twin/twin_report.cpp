@@ -13,6 +13,7 @@
 #include "apps/text/markup.hpp"
 #include "apps/text/words.hpp"
 #include "apps/twin/twin_words.hpp"
+#include "specimen/describe/doubts.hpp"
 #include "specimen/picture/picture.hpp"
 
 namespace app {
@@ -289,6 +290,7 @@ std::string twin_html(const TwinTask& task, const std::vector<TwinRecord>& twins
   };
   return output::page(
       title, output::heading(title, twins_text(task, twins.size())) +
+                 output::warnings_section(specimen::doubts_of(task.original)) +
                  standing("The original and its twins", [&] { return pictures(task, twins); }) +
                  standing("How well they match", match) + standing("Where aggregate is", places) +
                  standing("Sizes and shapes", shapes) + section("How it was made", sentences(notes)));

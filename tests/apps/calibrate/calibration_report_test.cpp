@@ -1,5 +1,6 @@
 #include "apps/calibrate/calibration_report.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -68,6 +69,16 @@ TEST_F(CalibrationWords, DoubtACurveThatEndsBeforeItsPeak) {
       app::doubt_of({{}, {}, {{0, 1e-4, 2e-4}, {0, 1e6, 2e6}}}),
       "the measured curve has no peak: its stress has not fallen again at its end, 200e-6; what is fitted "
       "is the rise alone, and strengths beyond those found fit it as well");
+}
+
+TEST_F(CalibrationWords, WarnOfASpecimenThatIsNoConcrete) {
+  const std::string warning = "there is no aggregate";
+  specimen_.provenance.source = "photo.png";
+  EXPECT_THAT(app::calibration_json(task_, found_)["warnings"].dump(), testing::HasSubstr(warning));
+  EXPECT_THAT(app::calibration_html(task_, found_, "", ""), testing::HasSubstr(warning));
+  specimen_.provenance.source = "generated";
+  EXPECT_TRUE(app::calibration_json(task_, found_)["warnings"].empty());
+  EXPECT_THAT(app::calibration_html(task_, found_, "", ""), testing::Not(testing::HasSubstr("Warnings")));
 }
 
 TEST_F(CalibrationWords, CountNoRunWithoutAPeak) {

@@ -25,6 +25,7 @@ specimen::Specimen layers(int aggregate_rows, int void_rows = 0) {
   made.inclusions.clear();
   made.rings.clear();
   made.itz.mode = specimen::ItzMode::none;
+  made.provenance.source = "generated";  // to order, whatever it is like
   made.mask.pixel_size = 1e-3;
   made.mask.labels = specimen::Raster<std::uint8_t>(12, 12);
   for (int row = 0; row < 12; ++row)
@@ -67,6 +68,15 @@ TEST_F(StiffnessCommand, TellsLayersAlongAndAcross) {
   EXPECT_GT(half["periodic"]["anisotropy"].get<double>(), 0.01);
   for (const char* boundary : {"uniform_stress", "periodic", "uniform_strain"})
     EXPECT_TRUE(half[boundary]["solved"].get<bool>());
+}
+
+TEST_F(StiffnessCommand, WarnsOfAPictureThatIsNoConcrete) {
+  specimen::Specimen from_picture = layers(0);
+  from_picture.provenance.source = "photo.png";
+  specimen::write_specimen("photo.h5", from_picture);
+  ASSERT_EQ(run({"photo.h5", "--json", "-q"}), Exit::ok) << err_.str();
+  EXPECT_THAT(err_.str(), HasSubstr("warning: there is no aggregate"));
+  EXPECT_THAT(json::parse(out_.str())["specimens"][0]["warnings"].dump(), HasSubstr("there is no aggregate"));
 }
 
 TEST_F(StiffnessCommand, GivesThePhasesBackInBothPlanes) {

@@ -54,6 +54,18 @@ TEST(Report, CallsNothingAPeakThatIsNone) {
   EXPECT_EQ(count(page, "% of the strain at the largest stress, which is no peak</b>"), 3U);
 }
 
+TEST(Report, CallsAnErrorTheLeastWhereARunComparedWithHasNoPeak) {
+  const FakeRun run = tension_run(60);
+  RunRecord record = run.record();
+  record.error_estimate.sources = {{"time step", "CFL 0.25", 3.4e6, 1.4e-4, 0.01, 0.02, 1, true}};
+  EXPECT_THAT(report_html(record), HasSubstr("At most 1.0 % in stress and 2.0 % in strain"));
+  record.error_estimate.sources.push_back({"pixel size", "2 mm", 4.2e6, 1.9e-4, 0.2, 0.3, 1, false});
+  const std::string page = report_html(record);
+  EXPECT_THAT(page, HasSubstr("At least 21 % in stress and 32 % in strain"));
+  EXPECT_THAT(page, HasSubstr("and more where a run that was compared with ended before its peak"));
+  EXPECT_THAT(page, HasSubstr("&gt; 4.200"));
+}
+
 TEST(Report, TellsAFaultInItsSectionAndWritesTheRest) {
   const std::string whole = output::standing("A", [] { return std::string("as it is"); });
   EXPECT_EQ(whole, "as it is");

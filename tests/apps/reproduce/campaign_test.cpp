@@ -31,6 +31,18 @@ TEST(Campaign, RunsWhatAFigureNeedsAndNoMore) {
   EXPECT_EQ(claims_of(reproduction).size(), 2U);
 }
 
+TEST(Campaign, SaysBeforehandWhatItTakes) {
+  Effort effort = test::tiny_effort();
+  const auto figures = select_figures({"5"});
+  EXPECT_EQ(announcement(figures, effort, 2), "") << "it takes a moment";
+  effort.specimens = 20000;
+  effort.square.emplace_back("generate.pixel_size", "0.5 mm");
+  EXPECT_THAT(
+      announcement(figures, effort, 1),
+      testing::ContainsRegex("^40002 runs of up to [0-9]+ points and [0-9]+ steps, which take about .* "
+                             "here, 1 at a time$"));
+}
+
 TEST(Campaign, FiguresShareTheirRuns) {
   const Effort effort = test::tiny_effort();
   std::set<std::string> names;

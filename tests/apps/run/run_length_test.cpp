@@ -30,10 +30,32 @@ TEST(RunLength, IsSaidOfHalfAMillionSteps) {
 
 TEST(RunLength, IsNotSaidOfAShortRun) { EXPECT_EQ(app::announcement(block(0.05)), ""); }
 
-TEST(RunLength, IsNotSaidOfEquilibriumWhichHasNoSteps) {
-  mpm::Scene scene = block(1e-5);
+mpm::Scene still(int pixels) {
+  mpm::Scene scene = block(0.05);
+  scene.labels.setConstant(pixels, pixels, 1);
+  scene.phases[1] = mpm::concrete_phases()[1];
   scene.method = mpm::SolverMethod::quasi_static;
-  EXPECT_EQ(app::announcement(scene), "");
+  scene.pixel_cells = true;
+  scene.points_per_cell = 1;
+  return scene;
+}
+
+TEST(RunLength, IsNotSaidOfAShortRunWithoutInertia) { EXPECT_EQ(app::announcement(still(24)), ""); }
+
+TEST(RunLength, IsSaidRoughlyOfALongRunWithoutInertia) {
+  mpm::Scene scene = still(1000);
+  scene.loading.direction = mpm::Direction::compression;
+  EXPECT_THAT(app::announcement(scene),
+              ContainsRegex("^a run of 1000000 points and roughly [0-9]+ states in equilibrium, which takes "
+                            "roughly .* here$"));
+  EXPECT_TRUE(app::size_of(scene).quasi_static);
+}
+
+TEST(RunLength, CountsNoStatesWhereNothingFails) {
+  mpm::Scene scene = still(24);
+  scene.phases[1]->tensile_scale = mpm::Phase::unbreakable;
+  scene.phases[1]->cohesion = mpm::Phase::unbreakable;
+  EXPECT_EQ(app::size_of(scene).steps, 1);
 }
 
 TEST(RunLength, OfRunsSideBySideIsSharedByTheWorkers) {
@@ -42,14 +64,31 @@ TEST(RunLength, OfRunsSideBySideIsSharedByTheWorkers) {
   EXPECT_EQ(size.points, 64);
   EXPECT_GT(size.steps, 500'000);
   const app::RunSize large{1'000'000, size.steps};
-  const auto sample = [&] { return scene; };
+  const auto sample = [&](std::size_t) { return scene; };
   const double alone = app::time_of_runs({large}, sample, 2), four = app::time_of_runs({4, large}, sample, 2);
   EXPECT_GT(alone, 0);
   EXPECT_NEAR(four / alone, 2, 1.5);  // measured twice
 }
 
+TEST(RunLength, OfRunsWithAndWithoutInertiaIsThatOfBoth) {
+  const mpm::Scene scene = block(1e-5), at_rest = still(24);
+  const app::RunSize with{1'000'000, 500'000}, without{1'000'000, 500'000, true};
+  std::vector<std::size_t> asked;
+  const auto sample = [&](std::size_t i) {
+    asked.push_back(i);
+    return i == 1 ? scene : at_rest;
+  };
+  EXPECT_GT(app::time_of_runs({{64, 10}, with, {64, 10, true}, without}, sample, 1), 0);
+  EXPECT_EQ(asked, (std::vector<std::size_t>{1, 3})) << "the largest of each method";
+  EXPECT_EQ(app::size_text({with, without}),
+            "1000000 points and 500000 steps or roughly 500000 states in equilibrium");
+  EXPECT_STREQ(app::precision_word({with, without}, true), "roughly");
+  EXPECT_STREQ(app::precision_word({with}, true), "up to");
+  EXPECT_STREQ(app::precision_word({with}, false), "about");
+}
+
 TEST(RunLength, OfShortRunsIsNotMeasured) {
-  const auto sample = []() -> mpm::Scene { throw std::logic_error("made for nothing"); };
+  const auto sample = [](std::size_t) -> mpm::Scene { throw std::logic_error("made for nothing"); };
   EXPECT_EQ(app::time_of_runs(std::vector<app::RunSize>(100, {64, 1000}), sample, 2), 0);
   EXPECT_EQ(app::time_of_runs({}, sample, 2), 0);
 }

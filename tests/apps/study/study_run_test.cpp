@@ -6,7 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <future>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "apps/study/study_outcome.hpp"
 #include "apps/study/study_report.hpp"
 #include "apps/study/study_results.hpp"
 #include "libmpm/files/result_file.hpp"
@@ -166,6 +169,29 @@ TEST_F(StudyRun, AMemberThatDivergesIsAFailure) {
   EXPECT_THAT(folder_.failure(members_[1]), HasSubstr("step"));
 }
 
+/// In the report, in the figures, and for those who collect what other machines have run.
+TEST_F(StudyRun, WarnsOfPicturesThatAreNoConcrete) {
+  std::string picture = "P2\n12 12\n2\n";
+  for (int row = 0; row < 12; ++row) picture += "2 2 2 2 2 2 2 2 0 0 0 0\n";
+  test::write_text(files_ / "a.pgm", picture);
+  test::write_text(files_ / "scene.toml",
+                   "[specimen]\npicture = \"a.pgm\"\n[convert]\nmethod = \"labels\"\nlabel_phases = [\"0: "
+                   "void\", \"2: mortar\"]\npixel_size = \"1 mm\"\n[loading]\nvelocity = \"1 m/s\"\n");
+  test::write_text(files_ / "study.toml", "scene = \"scene.toml\"\nseeds = 2\n");
+  study_ = read_study(files_ / "study.toml");
+  members_ = list_members(study_);
+  folder_.open(study_, members_);
+  (void)run_members(study_, folder_, members_, 2, {});
+  const StudyResults results = read_results(folder_, members_);
+  std::ostringstream nowhere;
+  Console console{nowhere, nowhere, false, true, {}};
+  const std::vector<std::string> doubts = close_study(folder_, study_, members_, results, console);
+  EXPECT_THAT(doubts, testing::ElementsAre(HasSubstr("33.3 % of the area is void"),
+                                           HasSubstr("there is no aggregate")));
+  EXPECT_EQ(study_json(folder_, study_, members_, results, doubts)["warnings"], doubts);
+  EXPECT_THAT(test::read_text(folder_.file("report.html").string()), HasSubstr("33.3 % of the area is void"));
+}
+
 TEST_F(StudyRun, AFailureOfTheFirstMemberLeavesAReport) {
   run("[vary]\n\"generate.fraction\" = [0.89, 0.3]\n", 1);
   write_study_report(folder_, study_, members_, read_results(folder_, members_));
@@ -214,6 +240,11 @@ TEST_F(StudyRun, TellsWhatALongStudyTakes) {
               testing::ContainsRegex("^3 members of up to [0-9]+ points and [0-9]+ steps, which take "
                                      "(about|up to) .* here, 2 at a time$"));
   EXPECT_EQ(told("seeds = 2\n[vary]\n\"solver.method\" = [\"quasi_static\"]\n"), "");
+  // As if those were large.
+  const std::vector<RunSize> large(2, {4'000'000, 100'000, true});
+  EXPECT_THAT(announcement(StudyFolder(files_ / "large"), members_, large, 2),
+              testing::ContainsRegex("^2 members of up to 4000000 points and roughly 100000 states in "
+                                     "equilibrium, which take roughly .* here, 2 at a time$"));
 }
 
 TEST_F(StudyRun, RefusesAResultThatIsNotThatOfTheMember) {

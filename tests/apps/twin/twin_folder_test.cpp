@@ -17,6 +17,7 @@ namespace app {
 namespace twin_folder_test {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(TwinFolder, ExplainsItself) {
   const test::TemporaryFolder folder;
@@ -39,6 +40,19 @@ TEST(TwinFolder, ExplainsItself) {
   EXPECT_THAT(page, HasSubstr("A note of the conversion &lt;&amp;&gt;."));
   EXPECT_THAT(page, HasSubstr("S2, root mean square (%)"));
   EXPECT_THAT(page, HasSubstr("within"));
+}
+
+TEST(TwinFolder, WarnsOfAnOriginalThatIsNoConcrete) {
+  const test::TemporaryFolder folder;
+  TwinTask task = test::small_task();
+  const auto twins = test::small_twins(task);
+  EXPECT_TRUE(
+      nlohmann::json::parse(write_twin_statistics(folder / "", task, twins, {}).json)["warnings"].empty());
+  EXPECT_THAT(test::read_text(folder / "report.html"), Not(HasSubstr("Warnings")));
+  task.original.mask.pixel_size = 1e-6;
+  const TwinStatistics statistics = write_twin_statistics(folder / "", task, twins, {});
+  EXPECT_THAT(nlohmann::json::parse(statistics.json)["warnings"].dump(), HasSubstr("0.08 mm wide"));
+  EXPECT_THAT(test::read_text(folder / "report.html"), HasSubstr("the specimen is 0.08 mm wide"));
 }
 
 TEST(TwinFolder, LosesTwinsOfAnEarlierRunAndNothingElse) {
