@@ -111,8 +111,7 @@ Chart stress_chart(const RunRecord& record) {
 }
 
 Chart energy_chart(const RunRecord& record) {
-  Chart chart{
-      "Energies against strain", strain_axis(record), {"Energy per metre of thickness", "J/m"}, {}, {}};
+  Chart chart{"Energies against strain", strain_axis(record), {"Energy", "J/m"}, {}, {}};
   const auto add = [&](const std::string& name, Ink ink, double HistoryRow::*member) {
     chart.series.push_back(
         against_strain(record, name, ink, [member](const HistoryRow& row) { return row.*member; }));
@@ -124,8 +123,9 @@ Chart energy_chart(const RunRecord& record) {
       [at_start](const HistoryRow& row) { return at_start + row.platen_work; }, true));
   add("elastic", Ink::first, &HistoryRow::elastic);
   add("released", Ink::second, &HistoryRow::released);
-  add("kinetic", Ink::third, &HistoryRow::kinetic);
-  if (record.scene.local_damping > 0) add("damped", Ink::fourth, &HistoryRow::damped);
+  const bool moves = record.scene.method == mpm::SolverMethod::explicit_;
+  if (moves) add("kinetic", Ink::third, &HistoryRow::kinetic);
+  if (moves && record.scene.local_damping > 0) add("damped", Ink::fourth, &HistoryRow::damped);
   if (!history.empty() && history.back().left_points > 0) add("left", Ink::fifth, &HistoryRow::left);
   return chart;
 }

@@ -125,9 +125,12 @@ std::string meaning_of_curve(const mpm::Scene& scene) {
 }
 
 std::string meaning_of_energy(const mpm::Scene& scene) {
-  std::vector<std::string> parts{"elastic energy", "kinetic energy", "energy released by failing points"};
-  if (scene.local_damping > 0) parts.emplace_back("damped energy");
-  std::string text = fmt::format("The energy ledger: {} is the sum of {}.",
+  const bool moves = scene.method == mpm::SolverMethod::explicit_;
+  std::vector<std::string> parts{"elastic energy"};
+  if (moves) parts.emplace_back("kinetic energy");
+  parts.emplace_back("energy released by failing points");
+  if (moves && scene.local_damping > 0) parts.emplace_back("damped energy");
+  std::string text = fmt::format("The energy ledger, per metre of thickness: {} is the sum of {}.",
                                  has_platens(scene) ? "the work of the platens" : "the initial energy",
                                  app::listed(parts, "and"));
   if (scene.kinematics != mpm::Kinematics::small_strain)

@@ -215,6 +215,9 @@ def check_looks(browser):
     browser.resize(360)
     browser.wait("document.querySelector('#chart-stress canvas').getBoundingClientRect().width <= 360")
     assert browser.run("document.documentElement.scrollWidth") <= 360
+    label = "no peak: largest 9.01 MPa at 400 microstrain"  # on a phone it takes more than one line
+    lines = browser.run("lines_within(document.createElement('canvas').getContext('2d'), arguments[0], 100)", label)
+    assert len(lines) == 3 and " ".join(lines) == label, lines
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print", "features": []})
     assert browser.run("getComputedStyle(document.querySelector('.live')).display") == "none"
     assert browser.run("getComputedStyle(document.querySelector('.is-live .wide')).display") == "block"

@@ -30,6 +30,20 @@ function aligned(series) {
   return is_common ? [first, ...series.map((one) => one.y)] : uPlot.join(series.map((one, i) => [all[i], one.y]));
 }
 
+/** A text in lines no wider than a width, as far as its words allow. */
+function lines_within(ctx, text, width) {
+  const lines = [];
+  for (const word of text.split(" ")) {
+    const longer = lines.length > 0 ? lines[lines.length - 1] + " " + word : word;
+    if (lines.length > 0 && ctx.measureText(longer).width <= width) lines[lines.length - 1] = longer;
+    else lines.push(word);
+  }
+  return lines;
+}
+
+/** Between the ticks of numbers of things: 1, 2, 5, 10, 20, ... */
+const whole_steps = Array.from({ length: 10 }, (_, k) => [1, 2, 5].map((step) => step * 10 ** k)).flat();
+
 class LiveChart {
   /** @param moment  {strain in the unit of the axis, or null}: drawn as an upright line.
    *  @param pick  called with the x that the reader clicks on; null = clicks do nothing. */
@@ -88,6 +102,11 @@ class LiveChart {
     return { width, height: Math.round(Math.min(380, Math.max(220, 0.62 * width))) };
   }
 
+  /** Whether it shows numbers of things, which have no halves. */
+  counts() {
+    return !this.chart.y.logarithmic && this.all.every((one) => one.y.every((y) => y === null || Number.isInteger(y)));
+  }
+
   build() {
     if (this.plot) this.plot.destroy();
     const straight = uPlot.paths.linear();
@@ -99,7 +118,7 @@ class LiveChart {
     this.plot = new uPlot({
       ...this.size(),
       scales: { x: { time: false, distr: this.chart.x.logarithmic ? 3 : 1 }, y: { distr: this.chart.y.logarithmic ? 3 : 1 } },
-      axes: [axis(this.chart.x), { ...axis(this.chart.y), size: 64 }],
+      axes: [axis(this.chart.x), { ...axis(this.chart.y), size: 64, ...(this.counts() ? { incrs: whole_steps } : {}) }],
       series: [{ label: this.chart.x.label, value: (_, x) => rounded(x) }, ...this.all.map((one, i) => ({
         label: one.name || this.chart.y.label,
         stroke: ink(one.ink),
@@ -156,9 +175,12 @@ class LiveChart {
       ctx.arc(x, y, 3.5 * devicePixelRatio, 0, 2 * Math.PI);
       ctx.fill();
       const gap = 8 * devicePixelRatio;
-      const width = ctx.measureText(marker.text).width;
+      const lines = lines_within(ctx, marker.text, plot.bbox.width);
+      const width = Math.max(...lines.map((line) => ctx.measureText(line).width));
       const beside = x + gap + width <= plot.bbox.left + plot.bbox.width ? x + gap : x - gap - width;
-      ctx.fillText(marker.text, Math.max(plot.bbox.left, beside), y - gap);
+      const line_height = 16 * devicePixelRatio;
+      const first = Math.max(line_height, y - gap - (lines.length - 1) * line_height);
+      lines.forEach((line, i) => ctx.fillText(line, Math.max(plot.bbox.left, beside), first + i * line_height));
     }
     ctx.restore();
   }

@@ -34,6 +34,9 @@ TEST(EnergyChart, ShowsDampingOnlyWhereThereIsAny) {
   EXPECT_EQ(energy_chart(run.record()).series.size(), 4U);
   run.scene.local_damping = 0.1;
   EXPECT_EQ(energy_chart(run.record()).series.back().name, "damped");
+  run.scene.method = mpm::SolverMethod::quasi_static;  // nothing moves
+  EXPECT_EQ(energy_chart(run.record()).series.size(), 3U);
+  EXPECT_EQ(energy_chart(run.record()).series.back().name, "released");
 }
 
 TEST(EnergyChart, HoldsTheLedger) {

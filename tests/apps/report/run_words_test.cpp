@@ -55,6 +55,9 @@ TEST(LoadWords, SayWhereTheEnergyOfMovingPointsIsMissing) {
   EXPECT_THAT(output::meaning_of_energy(scene), HasSubstr("numerical dissipation"));
   scene.local_damping = 0.1;
   EXPECT_THAT(output::meaning_of_energy(scene), HasSubstr("points and damped energy."));
+  scene.method = mpm::SolverMethod::quasi_static;
+  EXPECT_THAT(output::meaning_of_energy(scene),
+              HasSubstr("is the sum of elastic energy and energy released by failing points."));
 }
 
 TEST(LoadWords, NameTheKinematics) {
