@@ -10,7 +10,7 @@ if(BUILD_SHARED_LIBS)
   set(specimen_needs)
   set(mpm_needs Eigen3)
 else()
-  set(specimen_needs HDF5C OpenSSL PNG JPEG TIFF OpenCVParts)
+  set(specimen_needs HDF5C OpenSSL PNG JPEG TIFF OpenCVParts Threads)
   set(mpm_needs Eigen3 HDF5C OpenSSL Threads)
 endif()
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "apps/job/specimen_report.hpp"
 #include "apps/job/specimen_source.hpp"
@@ -12,7 +13,9 @@
 #include "apps/text/complaint.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/text_parts.hpp"
+#include "specimen/body/files.hpp"
 #include "specimen/convert/convert.hpp"
+#include "specimen/describe/agreement.hpp"
 
 namespace app {
 namespace {
@@ -21,24 +24,51 @@ constexpr const char* convert_footer =
     "Example: a photograph that is 150 mm wide, cut into 300 columns of pixels\n"
     "  mesopix convert photo.jpg --width \"150 mm\" --pixels 300 -o specimen.h5";
 
-/// Intersection over union with a label picture, phase by phase: how well the segmentation does, before
-/// rings.
-nlohmann::ordered_json compare(const specimen::LabelledMask& mask, const specimen::ConvertOptions& options,
+/// Figures of how well a segmentation agrees with a label picture or a map of instances, before rings.
+nlohmann::ordered_json compare(const specimen::Segmented& found, const specimen::ConvertOptions& options,
                                const std::string& reference) {
   specimen::ConvertOptions labels;
-  labels.method = specimen::Segmentation::labels;
-  labels.label_phases = options.label_phases;
-  labels.width = mask.width();
+  const bool is_taught = !options.strokes.empty() || !options.model.empty();
+  if (!is_taught) labels.label_phases = options.label_phases;  // else they are of strokes
+  labels.width = found.mask.width();
   labels.max_pixels = options.max_pixels;
   labels.crop = options.crop;
   labels.pixels = options.pixels;
-  const auto wanted = specimen::convert_picture(reference, labels).segmented.mask;
-  const auto shares = specimen::intersection_over_union(mask, wanted);
-  nlohmann::ordered_json result = nlohmann::ordered_json::object();
-  for (std::size_t label = 0; label < shares.size(); ++label)
-    if (!std::isnan(shares[label]))
-      result[label < mask.phases.size() ? mask.phases[label] : wanted.phases[label]] = shares[label];
-  return result;
+  const specimen::Converted wanted = specimen::convert_picture(reference, labels);
+  if (wanted.report.method != specimen::Segmentation::labels &&
+      wanted.report.method != specimen::Segmentation::instances)
+    throw Rejected(Exit::data, "--reference", reference, "must be a label picture or a map of instances",
+                   "save it as PNG or TIFF, with a value for each phase or aggregate");
+  const specimen::Agreement agreement = specimen::agreement_of(found, wanted.segmented);
+  const auto& names = found.mask.phases.size() >= wanted.segmented.mask.phases.size()
+                          ? found.mask.phases
+                          : wanted.segmented.mask.phases;
+  nlohmann::ordered_json overlap = nlohmann::ordered_json::object(), boundary = overlap;
+  for (std::size_t label = 0; label < agreement.phases.size(); ++label) {
+    const auto& of_phase = agreement.phases[label];
+    if (!std::isnan(of_phase.intersection_over_union))
+      overlap[names[label]] = of_phase.intersection_over_union;
+    if (!std::isnan(of_phase.boundary)) boundary[names[label]] = of_phase.boundary;
+  }
+  nlohmann::ordered_json aggregates{
+      {"matched", agreement.matched}, {"missed", agreement.missed}, {"extra", agreement.extra}};
+  if (!std::isnan(agreement.panoptic_quality)) aggregates["panoptic_quality"] = agreement.panoptic_quality;
+  return {{"intersection_over_union", overlap}, {"boundary_f", boundary}, {"aggregates_found", aggregates}};
+}
+
+void say_agreement(Console& console, const nlohmann::ordered_json& figures) {
+  for (const auto& [phase, share] : figures["intersection_over_union"].items())
+    console.say(fmt::format(
+        "  {:<12} IoU {:.4f}{}", phase, share.get<double>(),
+        figures["boundary_f"].contains(phase)
+            ? fmt::format("   boundary F (2 px) {:.4f}", figures["boundary_f"][phase].get<double>())
+            : ""));
+  const auto& aggregates = figures["aggregates_found"];
+  if (aggregates.contains("panoptic_quality"))
+    console.say(
+        fmt::format("  aggregates   panoptic quality {:.4f}: {} matched, {} missed, {} extra",
+                    aggregates["panoptic_quality"].get<double>(), aggregates["matched"].get<std::int64_t>(),
+                    aggregates["missed"].get<std::int64_t>(), aggregates["extra"].get<std::int64_t>()));
 }
 
 constexpr double seconds_a_pixel = 0.2e-6;  ///< of a picture without a given number of pixels [s]
@@ -53,8 +83,11 @@ class ConvertCommand : public SettingsCommand {
            file_form(picture_endings({"toml"})));
     option("-o,--output", output_, "specimen file (.h5) or label picture [PICTURE with .h5]",
            file_form(picture_endings({"h5"})));
-    option("--reference", reference_, "label picture to compare with: intersection over union per phase",
+    option("--reference", reference_,
+           "labels or instances to compare with: IoU and boundary F per phase, panoptic quality",
            file_form(picture_endings(), "LABELS"));
+    option("--save-model", save_model_, "keep what the strokes taught, for further pictures with --model",
+           file_form({"mesomodel"}, "MODEL"));
     json_and_quiet("figures as JSON on standard output");
   }
 
@@ -68,20 +101,33 @@ class ConvertCommand : public SettingsCommand {
         output_.empty() ? std::filesystem::path(picture).filename().replace_extension(".h5").string()
                         : output_;
     check_output(output, picture);
+    check_save_model(resolved.settings);
     const Prepared prepared = prepare_or_show_ways(console, resolved.settings);
     auto figures = specimen_json(prepared.specimen, {});
     if (!reference_.empty())
-      figures["intersection_over_union"] =
-          compare(prepared.segmentation, resolved.settings.convert, reference_);
-    report_specimen(console, json_, prepared, figures,
-                    write_specimen_output(output, prepared.specimen, prepared.photograph));
-    if (!reference_.empty() && !json_)
-      for (const auto& [phase, share] : figures["intersection_over_union"].items())
-        console.say(fmt::format("  {:<12} IoU {:.4f}", phase, share.get<double>()));
+      figures.update(compare(prepared.segmentation, resolved.settings.convert, reference_));
+    if (!std::isnan(prepared.uncertain_share)) figures["uncertain"] = prepared.uncertain_share;
+    std::vector<std::string> files =
+        write_specimen_output(output, prepared.specimen, prepared.photograph, prepared.uncertain);
+    if (!save_model_.empty()) {
+      specimen::replace_file(save_model_, std::as_bytes(std::span(prepared.model)));
+      files.push_back(save_model_);
+    }
+    report_specimen(console, json_, prepared, figures, files);
+    if (!reference_.empty() && !json_) say_agreement(console, figures);
     return Exit::ok;
   }
 
  private:
+  void check_save_model(const Settings& settings) const {
+    if (save_model_.empty()) return;
+    if (settings.convert.strokes.empty())
+      throw Rejected(Exit::usage, "--save-model", save_model_, "needs strokes that teach a model",
+                     "give --strokes STROKES");
+    if (std::filesystem::path(save_model_).extension() != ".mesomodel")
+      throw Rejected(Exit::usage, "--save-model", save_model_, "must end in .mesomodel");
+  }
+
   /// A map that can be read in two ways is not converted; the commands for both are shown.
   Prepared prepare_or_show_ways(Console& console, const Settings& settings) const {
     try {
@@ -113,6 +159,7 @@ class ConvertCommand : public SettingsCommand {
 
   std::string input_;
   std::string reference_;
+  std::string save_model_;
 };
 
 }  // namespace

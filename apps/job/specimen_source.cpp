@@ -10,6 +10,7 @@
 #include "apps/job/specimen_report.hpp"
 #include "apps/scene/ellipse_list.hpp"
 #include "apps/scene/scene_text.hpp"
+#include "apps/scene/stroke_list.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/complaint.hpp"
 #include "apps/text/markup.hpp"
@@ -63,12 +64,25 @@ Prepared with_rings(specimen::Converted converted, const Settings& settings) {
   const fs::path picture = settings.specimen.picture;
   Prepared prepared;
   prepared.notes = std::move(converted.report.notes);
-  prepared.segmentation = converted.segmented.mask;
+  prepared.segmentation.mask = converted.segmented.mask;
+  prepared.segmentation.instances = converted.segmented.instances;
   prepared.photograph = std::move(converted.photograph);
-  const auto itz = itz_for(prepared.segmentation, settings.itz, prepared.notes);
+  prepared.uncertain = std::move(converted.uncertain);
+  prepared.uncertain_share = converted.report.uncertain;
+  prepared.model = std::move(converted.model);
+  const auto itz = itz_for(prepared.segmentation.mask, settings.itz, prepared.notes);
   auto origin = provenance(settings, picture.filename().string(), picture.parent_path());
   prepared.specimen = specimen::make_specimen(std::move(converted.segmented), itz, std::move(origin));
   return prepared;
+}
+
+/// The options of a conversion, with the strokes that are lines in a file.
+specimen::ConvertOptions conversion_of(const Settings& settings) {
+  specimen::ConvertOptions options = settings.convert;
+  if (!holds_lines(options.strokes)) return options;
+  options.stroke_lines = read_stroke_list(options.strokes);
+  options.strokes.clear();
+  return options;
 }
 
 void pin(const std::string& file, std::string& expected) {
@@ -94,7 +108,7 @@ void settle_source(Settings& settings) {
 }
 
 Prepared prepare_specimen(specimen::Picture picture, const Settings& settings) {
-  return with_rings(specimen::convert_picture(std::move(picture), settings.convert), settings);
+  return with_rings(specimen::convert_picture(std::move(picture), conversion_of(settings)), settings);
 }
 
 Prepared prepare_specimen(const Settings& settings, specimen::SizeListener before_pixels) {
@@ -104,9 +118,9 @@ Prepared prepare_specimen(const Settings& settings, specimen::SizeListener befor
     case Source::ellipses:
       return draw(settings, settings.specimen.ellipse_list, provenance(settings, "ellipse list", fs::path()));
     case Source::picture:
-      return with_rings(
-          specimen::convert_picture(settings.specimen.picture, settings.convert, std::move(before_pixels)),
-          settings);
+      return with_rings(specimen::convert_picture(settings.specimen.picture, conversion_of(settings),
+                                                  std::move(before_pixels)),
+                        settings);
     case Source::file:
       return {read_specimen(settings.specimen.file), {}, {}};
   }
@@ -149,7 +163,8 @@ void check_output(const std::string& path, const std::string& input) {
 }
 
 std::vector<std::string> write_specimen_output(const std::string& path, const specimen::Specimen& specimen,
-                                               const specimen::Raster<specimen::Rgb>& photograph) {
+                                               const specimen::Raster<specimen::Rgb>& photograph,
+                                               const specimen::Raster<std::uint8_t>& uncertain) {
   if (ending(path) != ".h5") {
     specimen::write_labels(path, specimen.mask);
     return {path};
@@ -159,7 +174,7 @@ std::vector<std::string> write_specimen_output(const std::string& path, const sp
   specimen::write_preview(files.back(), specimen.mask);
   if (photograph.empty()) return files;
   files.push_back(path_beside(path, overlay_ending));
-  specimen::write_overlay(files.back(), photograph, specimen.mask);
+  specimen::write_overlay(files.back(), photograph, specimen.mask, uncertain);
   return files;
 }
 

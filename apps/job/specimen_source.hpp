@@ -21,8 +21,11 @@ void settle_source(Settings& settings);
 struct Prepared {
   specimen::Specimen specimen;
   std::vector<std::string> notes;                   ///< what was guessed, one sentence each
-  specimen::LabelledMask segmentation;              ///< of a picture, before rings were drawn; else empty
+  specimen::Segmented segmentation;                 ///< of a picture, before rings were drawn; else empty
   specimen::Raster<specimen::Rgb> photograph = {};  ///< what the mask covers of one; else empty
+  specimen::Raster<std::uint8_t> uncertain = {};    ///< of that, 1 where the phase is in doubt; or empty
+  double uncertain_share = specimen::not_known;     ///< of a picture that strokes taught [-]
+  std::string model = {};                           ///< what strokes taught, as a file holds it; or empty
 };
 
 /// Generate, draw, convert or read the specimen of settled settings.
@@ -39,10 +42,12 @@ struct Prepared {
 void check_output(const std::string& path, const std::string& input);
 
 /// Write by the ending of the name: .h5 with a preview picture beside it, or the labels as a picture.
-/// @param photograph  as of Prepared: beside a .h5 it is drawn too, once as it is and once under the mask.
+/// @param photograph, uncertain  as of Prepared: beside a .h5 the photograph is drawn too, once as it is and
+/// once under the mask.
 /// @return the names of the files.
 std::vector<std::string> write_specimen_output(const std::string& path, const specimen::Specimen& specimen,
-                                               const specimen::Raster<specimen::Rgb>& photograph = {});
+                                               const specimen::Raster<specimen::Rgb>& photograph = {},
+                                               const specimen::Raster<std::uint8_t>& uncertain = {});
 
 /// The figures: as JSON on `out`, or in words on `err`; notes and file names with them.
 void report_specimen(Console& console, bool as_json, const Prepared& prepared, nlohmann::ordered_json figures,

@@ -84,7 +84,8 @@ ChoiceCodec<specimen::Segmentation> segmentation() {
            {"threshold", Segmentation::threshold},
            {"otsu", Segmentation::otsu},
            {"multi_otsu", Segmentation::multi_otsu},
-           {"kmeans", Segmentation::kmeans}}};
+           {"kmeans", Segmentation::kmeans},
+           {"taught", Segmentation::taught}}};
 }
 
 ChoiceCodec<specimen::Outside> outside() {
@@ -108,6 +109,22 @@ std::vector<Field> segmentation_fields() {
             MEMBER(convert.class_phases)),
       field("convert.label_phases", LabelNamesCodec{},
             "phases of the values of a label picture, e.g. 0:void,1:mortar", MEMBER(convert.label_phases)),
+  };
+}
+
+std::vector<Field> teaching_fields() {
+  return {
+      field(
+          "convert.strokes", PathCodec{{"png", "tif", "tiff"}},
+          "picture of strokes in the colours of the phases, transparent elsewhere, that teach method taught",
+          MEMBER(convert.strokes)),
+      field("convert.model", PathCodec{{"mesomodel"}}, "what strokes taught before, in place of strokes",
+            MEMBER(convert.model)),
+      field("convert.even_light", BooleanCodec{}, "even out light that changes slowly, for method taught",
+            MEMBER(convert.even_light)),
+      field("convert.smooth", pixels_or_auto(),
+            "radius in pixels of the smoothing along edges, for method taught; 0 = none",
+            MEMBER(convert.smooth)),
   };
 }
 
@@ -373,9 +390,10 @@ const std::vector<Group>& groups() {
 const std::vector<Field>& fields() {
   static const std::vector<Field> all = [] {
     std::vector<Field> table;
-    for (auto* part : {&specimen_fields, &generate_fields, &segmentation_fields, &scale_fields,
-                       &cleaning_fields, &itz_fields, &loading_fields, &flight_fields, &damage_fields,
-                       &solver_fields, &motion_fields, &edge_fields, &handover_fields, &output_fields})
+    for (auto* part :
+         {&specimen_fields, &generate_fields, &segmentation_fields, &teaching_fields, &scale_fields,
+          &cleaning_fields, &itz_fields, &loading_fields, &flight_fields, &damage_fields, &solver_fields,
+          &motion_fields, &edge_fields, &handover_fields, &output_fields})
       for (Field& one : part()) table.push_back(std::move(one));
     return table;
   }();

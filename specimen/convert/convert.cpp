@@ -13,6 +13,7 @@
 #include "specimen/convert/levels.hpp"
 #include "specimen/convert/resample.hpp"
 #include "specimen/convert/segment.hpp"
+#include "specimen/convert/segment_taught.hpp"
 #include "specimen/picture/picture.hpp"
 
 namespace specimen {
@@ -31,18 +32,22 @@ struct CleaningPlan {
 /// Automatic cleaning of a photograph: radii of 0.5 % of the shorter side; islands of aggregate and mortar
 /// below 1 % of the largest aggregate (a tenth of its diameter: that is sand, and belongs to the mortar) or
 /// 0.3 % of the picture, voids below 0.05 % of the picture. A drawing loses specks below 0.02 % of the
-/// picture.
+/// picture. What was taught by strokes loses islands below a square of 1 % of the shorter side, and nothing
+/// else.
 CleaningPlan plan_cleaning(const Sorted& sorted, const ConvertOptions& o, double cell_size) {
   CleaningPlan plan;
   const double side = std::min(sorted.cells.rows, sorted.cells.cols);
   const auto area = static_cast<double>(sorted.cells.size());
-  const double automatic_radius = sorted.photograph ? 0.005 * side : 0;
+  const bool is_guessed = sorted.photograph && !sorted.is_taught;
+  const double automatic_radius = is_guessed ? 0.005 * side : 0;
   plan.open = o.open < 0 ? automatic_radius : static_cast<double>(o.open) / sorted.factor;
   plan.close = o.close < 0 ? automatic_radius : static_cast<double>(o.close) / sorted.factor;
   plan.open_voids = o.open < 0 && plan.open > 0;
-  plan.settle_minerals = o.drop_islands < 0 && sorted.photograph;
+  plan.settle_minerals = o.drop_islands < 0 && is_guessed;
   if (o.drop_islands >= 0) {
     plan.least.fill(o.drop_islands / (cell_size * cell_size));
+  } else if (sorted.is_taught) {
+    plan.least.fill(0.0001 * side * side);
   } else if (sorted.photograph) {
     const auto largest = static_cast<double>(largest_aggregate(sorted.cells));
     plan.least.fill(std::min(0.01 * largest, 0.003 * area));
@@ -105,7 +110,9 @@ void clear_outside(Sorted& sorted) {
     for (int c = 0; c < sorted.cells.cols; ++c) {
       const int row = std::min(sorted.outside.rows - 1, r * sorted.factor + sorted.factor / 2);
       const int col = std::min(sorted.outside.cols - 1, c * sorted.factor + sorted.factor / 2);
-      if (sorted.outside(row, col) != 0) sorted.cells(r, c) = phase::void_;
+      if (sorted.outside(row, col) == 0) continue;
+      sorted.cells(r, c) = phase::void_;
+      if (!sorted.uncertain.empty()) sorted.uncertain(r, c) = 0;
     }
 }
 
@@ -175,13 +182,53 @@ void lay_over_white(Picture& picture) {
   picture.opacity = {};
 }
 
+/// Number the grains that are left apart where strokes cut the aggregate; what lies under the strokes joins
+/// the grains beside it.
+int number_cut_grains(Sorted& sorted, ConvertReport& report) {
+  Raster<Cell>& cells = sorted.cells;
+  Raster<Cell> whole = cells;
+  const int uncut = number_grains(whole);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (sorted.cuts.data[i] != 0 && is_aggregate(cells.data[i])) {
+      cells.data[i] = cut_stroke;
+      open.push_back(i);
+    }
+  const int count = number_grains(cells);
+  const auto cols = static_cast<std::size_t>(cells.cols);
+  while (!open.empty()) {  // layer by layer, from the grains inwards
+    std::vector<std::pair<std::size_t, Cell>> joined;
+    std::vector<std::size_t> left;
+    for (const std::size_t i : open) {
+      Cell grain_beside = 0;
+      const auto look = [&](bool is_there, std::size_t at) {
+        if (is_there && cells.data[at] >= first_grain && grain_beside == 0) grain_beside = cells.data[at];
+      };
+      look(i >= cols, i - cols);
+      look(i % cols > 0, i - 1);
+      look(i % cols + 1 < cols, i + 1);
+      look(i + cols < cells.size(), i + cols);
+      if (grain_beside != 0)
+        joined.emplace_back(i, grain_beside);
+      else
+        left.push_back(i);
+    }
+    if (joined.empty()) break;
+    for (const auto& [i, grain_beside] : joined) cells.data[i] = grain_beside;
+    open = std::move(left);
+  }
+  for (const std::size_t i : open) cells.data[i] = phase::aggregate;  // no grain is beside them
+  report.notes.push_back("cut " + counted(uncut, "aggregate") + " along strokes into " + grouped(count));
+  return open.empty() ? count : number_grains(cells);
+}
+
 void separate_grains(Sorted& sorted, const ConvertOptions& o, ConvertReport& report) {
   if (sorted.keeps_grains) {
     if (o.split_touching)
       report.notes.emplace_back("split nothing: the picture already separates the grains");
     return;
   }
-  const int before = number_grains(sorted.cells);
+  const int before = sorted.cuts.empty() ? number_grains(sorted.cells) : number_cut_grains(sorted, report);
   if (!o.split_touching) return;
   const int after = split_grains(sorted.cells, o.split_depth);
   report.notes.push_back("split " + counted(before, "aggregate") + " at their necks into " + grouped(after));
@@ -273,11 +320,12 @@ void note_result(const Segmented& segmented, ConvertReport& report) {
 }
 
 /// What a mask covers of a picture, by the nearest pixels.
-Raster<Rgb> part_under(const LabelledMask& mask, const Raster<Rgb>& picture) {
+template <class T>
+Raster<T> part_under(const LabelledMask& mask, const Raster<T>& picture) {
   constexpr int wanted = 600;
   const int fine = (wanted + mask.labels.cols - 1) / mask.labels.cols;
   const double ratio = static_cast<double>(picture.cols) / mask.labels.cols / fine;
-  Raster<Rgb> part(mask.labels.rows * fine, mask.labels.cols * fine);
+  Raster<T> part(mask.labels.rows * fine, mask.labels.cols * fine);
   for (int r = 0; r < part.rows; ++r)
     for (int c = 0; c < part.cols; ++c)
       part(r, c) = picture(std::min(picture.rows - 1, static_cast<int>((r + 0.5) * ratio)),
@@ -301,12 +349,15 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
   Converted result;
   ConvertReport& report = result.report;
   report.notes = whole.notes;
+  Strokes strokes;
+  if (implied_method(options) == Segmentation::taught) strokes = strokes_for(whole, options);
+  if (!strokes.labels.empty()) strokes.labels = cropped(std::move(strokes.labels), options.crop);
   Picture picture = in_common_form(squared(cropped(std::move(whole), options.crop), options, report));
   if (options.outside == Outside::none) lay_over_white(picture);
   report.source_pixel_size = source_pixel_size(picture, options, report);
 
   const int rows = picture.rows(), cols = picture.cols();
-  Sorted sorted = segment(std::move(picture), options, report);
+  Sorted sorted = segment(std::move(picture), options, report, std::move(strokes));
   const double cell_size = report.source_pixel_size * sorted.factor;
   clean(sorted.cells, plan_cleaning(sorted, options, cell_size), cell_size, report);
   clear_outside(sorted);
@@ -317,7 +368,9 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
   mask.pixel_size = resample(sorted, rows, cols, options, report.source_pixel_size, report);
   fill_instances(result.segmented, std::move(sorted.cells));
   note_result(result.segmented, report);
+  result.model = std::move(sorted.model);
   if (sorted.photograph) result.photograph = part_under(mask, sorted.shown);
+  if (!sorted.uncertain.empty()) result.uncertain = part_under(mask, sorted.uncertain);
   return result;
 }
 

@@ -20,6 +20,10 @@
 ///   whose mortar is dyed pink by an indicator, the tint separates mortar, aggregate and the shaded walls of
 ///   voids. Otherwise there are two classes by tint, lightness and roughness. Pixels darker than half of the
 ///   median are void. kmeans with a given number of classes uses the colour only.
+/// - taught: a random forest on features of each pixel at several scales learns from strokes (forest.hpp,
+///   pixel_features.hpp); its probabilities are smoothed along the edges of the picture (edge_smoothing.hpp).
+///   A picture of more than 8 million pixels is averaged over squares first. The only automatic cleaning is
+///   that islands below a square of 1 % of the shorter side join their surroundings.
 /// - Classes: of three or more classes between thresholds the darkest is void; of the others the one with the
 ///   largest connected piece is mortar, the rest is aggregate.
 /// - Cleaning of photographs: median over 1 % of the shorter side; opening (of voids too) and closing by a
@@ -39,6 +43,7 @@
 #include <vector>
 
 #include "specimen/body/error.hpp"
+#include "specimen/body/mask.hpp"
 #include "specimen/body/specimen.hpp"
 #include "specimen/picture/picture.hpp"
 
@@ -53,7 +58,20 @@ enum class Segmentation {
   otsu,        ///< one threshold
   multi_otsu,  ///< classes - 1 thresholds
   kmeans,      ///< clusters of colour in Lab; grey counts as a colour
+  taught,      ///< learnt from strokes that show some pixels of each phase
 };
+
+/// A stroke along a line over a picture, which shows the phase of the pixels under it.
+struct StrokeLine {
+  std::string phase;  ///< its name, or cut_word
+  double width = 3;   ///< [px], 1 to 1000
+  std::vector<std::pair<double, double>>
+      points{};         ///< x from the left and y from the TOP of the picture [px]
+  std::string where{};  ///< place in its file, for messages
+};
+
+/// In place of a phase: the line parts two aggregates that touch.
+inline constexpr const char* cut_word = "cut";
 
 /// What of a picture is taken to lie outside of the specimen, and becomes void.
 enum class Outside {
@@ -80,7 +98,16 @@ struct ConvertOptions {
   /// Phases of the classes, from the darkest to the brightest (kmeans: by lightness L); empty = guessed. They
   /// leave the classes of colours as they are without names.
   std::vector<std::string> class_phases;
-  /// labels: value -> phase name, for every value of the picture; empty = all guessed.
+  /// taught: file of the strokes, a picture of the size of the whole picture that is transparent but for
+  /// them; they have the colours of phase_colour().
+  std::string strokes;
+  std::vector<StrokeLine> stroke_lines;  ///< taught: strokes as lines, in place of a file
+  std::string model;                     ///< taught: file of what strokes taught before, in place of strokes
+  bool even_light = false;  ///< taught: even out light that changes slowly over the picture (even_light.hpp)
+  int smooth =
+      -1;  ///< taught: radius of the smoothing along edges [px of the source]; 0 = none, -1 = automatic
+  /// labels: value -> phase name, for every value of the picture; empty = all guessed. taught: names of the
+  /// phases whose colours are those of labels above 3.
   std::vector<std::pair<std::int64_t, std::string>> label_phases;
 
   std::int64_t max_pixels = 200'000'000;  ///< a larger picture is refused before it is decoded
@@ -105,7 +132,8 @@ struct ConvertOptions {
 
 /// What the conversion did and guessed.
 struct ConvertReport {
-  std::vector<std::string> notes;                 ///< one sentence each, for the user
+  std::vector<std::string> notes;  ///< one sentence each, for the user
+  double uncertain = not_known;    ///< taught: share of the area where two phases are nearly as likely [-]
   Segmentation method = Segmentation::automatic;  ///< the method used, never automatic
   std::vector<double> thresholds;                 ///< the thresholds used, levels of the channel
   double source_pixel_size = 0;                   ///< [m]
@@ -118,6 +146,9 @@ struct Converted {
   /// Of a photograph: what the mask covers of it, each pixel of the mask as so many pixels that the whole is
   /// about 600 wide; else empty. Transparent parts and greys look as they were segmented.
   Raster<Rgb> photograph{};
+  Raster<std::uint8_t>
+      uncertain{};      ///< taught: 1 where two phases are nearly as likely, shape of the photograph
+  std::string model{};  ///< taught by strokes: what a file of the model holds (model_file.hpp)
 };
 
 /// Neither the options nor the file of a picture tell how large a pixel is.

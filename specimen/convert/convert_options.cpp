@@ -28,8 +28,9 @@ void check_unused(const ConvertOptions& o) {
   const bool automatic = o.method == Segmentation::automatic;
   if (!o.thresholds.empty() && !automatic && o.method != Segmentation::threshold)
     throw Error("convert.thresholds", "given with " + method, "they belong to method threshold");
-  if (!o.label_phases.empty() && !automatic && o.method != Segmentation::labels)
-    throw Error("convert.label_phases", "given with " + method, "they belong to method labels");
+  if (!o.label_phases.empty() && !automatic && o.method != Segmentation::labels &&
+      o.method != Segmentation::taught)
+    throw Error("convert.label_phases", "given with " + method, "they belong to labels and taught");
   if (!o.class_phases.empty() && is_map(o.method))
     throw Error("convert.class_phases", "given with " + method, "they belong to thresholds and kmeans",
                 "use label_phases for a map");
@@ -42,6 +43,47 @@ void check_unused(const ConvertOptions& o) {
   if (o.channel != "gray" && !uses_thresholds(o.method) && o.thresholds.empty())
     throw Error("convert.channel", o.channel + " with " + method,
                 "a channel belongs to threshold, otsu and multi_otsu");
+}
+
+/// What strokes teach leaves nothing to choose for classes and thresholds.
+void check_taught(const ConvertOptions& o) {
+  const bool has_strokes = !o.strokes.empty() || !o.stroke_lines.empty(), has_model = !o.model.empty();
+  const bool automatic = o.method == Segmentation::automatic;
+  const std::string given = has_model ? "convert.model" : "convert.strokes";
+  if (has_strokes && has_model)
+    throw Error("convert.model", "given beside strokes", "one of the two sorts a picture",
+                "leave the model out to teach a new one");
+  if (!o.strokes.empty() && !o.stroke_lines.empty())
+    throw Error("convert.strokes", "given as a file and as lines", "they come from one place");
+  if ((has_strokes || has_model) && !automatic && o.method != Segmentation::taught)
+    throw Error(given, "given with method " + method_name(o.method), "belongs to method taught");
+  if (o.method == Segmentation::taught && !has_strokes && !has_model)
+    throw Error("convert.strokes", "none given", "method taught needs strokes or a model",
+                "paint some on each phase, on a layer over the picture");
+  if (o.smooth < -1 || o.smooth > 1000)
+    throw Error("convert.smooth", std::to_string(o.smooth) + " px", "0 to 1,000; -1 = automatic");
+  const bool is_taught = has_strokes || has_model;
+  if (!is_taught && o.smooth != -1)
+    throw Error("convert.smooth", std::to_string(o.smooth) + " px without strokes",
+                "it belongs to method taught", "use median for other methods");
+  if (o.even_light && !has_strokes)
+    throw Error(
+        "convert.even_light", has_model ? "given beside a model" : "given without strokes",
+        has_model ? "a model says itself whether the light is evened out" : "it belongs to method taught",
+        "leave it out");
+  if (!is_taught) return;
+  const auto refuse = [&](const std::string& field) {
+    throw Error(field, "given beside " + given, "it has no effect on what strokes teach", "leave it out");
+  };
+  if (!o.thresholds.empty()) refuse("convert.thresholds");
+  if (o.channel != "gray") refuse("convert.channel");
+  if (o.classes != 0) refuse("convert.classes");
+  if (!o.class_phases.empty()) refuse("convert.class_phases");
+  if (o.median != -1) refuse("convert.median");
+  if ((has_model || !o.stroke_lines.empty()) && !o.label_phases.empty())
+    throw Error("convert.label_phases",
+                has_model ? "given beside a model" : "given beside strokes that are lines",
+                "they name the colours of painted strokes", "leave it out");
 }
 
 void check_classes(const ConvertOptions& o) {
@@ -126,6 +168,18 @@ std::string size_text(int cols, int rows) {
   return std::to_string(cols) + " x " + std::to_string(rows) + " px";
 }
 
+bool is_whole(const Crop& crop) { return crop.width == 0 && crop.height == 0 && crop.x == 0 && crop.y == 0; }
+
+void check_crop(const Crop& crop, int rows, int cols) {
+  const bool inside = crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
+                      crop.width <= cols - crop.x && crop.height <= rows - crop.y;
+  if (!inside)
+    throw Error("convert.crop",
+                size_text(crop.width, crop.height) + " at column " + std::to_string(crop.x) + ", row " +
+                    std::to_string(crop.y),
+                "must lie within the picture of " + size_text(cols, rows));
+}
+
 }  // namespace
 
 void check_options(const ConvertOptions& options) {
@@ -135,6 +189,7 @@ void check_options(const ConvertOptions& options) {
     for (const std::string& name : channels) all += (all.empty() ? "" : ", ") + name;
     throw Error("convert.channel", options.channel, all + " are known");
   }
+  check_taught(options);
   check_unused(options);
   check_thresholds(options);
   check_classes(options);
@@ -144,19 +199,19 @@ void check_options(const ConvertOptions& options) {
 }
 
 Picture cropped(Picture picture, const Crop& crop) {
-  if (crop.width == 0 && crop.height == 0 && crop.x == 0 && crop.y == 0) return picture;
-  const bool inside = crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
-                      crop.width <= picture.cols() - crop.x && crop.height <= picture.rows() - crop.y;
-  if (!inside)
-    throw Error("convert.crop",
-                size_text(crop.width, crop.height) + " at column " + std::to_string(crop.x) + ", row " +
-                    std::to_string(crop.y),
-                "must lie within the picture of " + size_text(picture.cols(), picture.rows()));
+  if (is_whole(crop)) return picture;
+  check_crop(crop, picture.rows(), picture.cols());
   picture.gray = picture.gray.with([&](const auto& raster) { return part_of(raster, crop); });
   picture.colour = part_of(picture.colour, crop);
   picture.indices = part_of(picture.indices, crop);
   picture.opacity = part_of(picture.opacity, crop);
   return picture;
+}
+
+Raster<std::uint8_t> cropped(Raster<std::uint8_t> values, const Crop& crop) {
+  if (is_whole(crop)) return values;
+  check_crop(crop, values.rows, values.cols);
+  return part_of(values, crop);
 }
 
 double source_pixel_size(const Picture& picture, const ConvertOptions& options, ConvertReport& report) {
@@ -188,6 +243,8 @@ std::string method_name(Segmentation method) {
       return "multi_otsu";
     case Segmentation::kmeans:
       return "kmeans";
+    case Segmentation::taught:
+      return "taught";
   }
   return "unknown";
 }

@@ -1,6 +1,7 @@
 /// Checks of the options of a conversion; the crop and the scale that they define.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "specimen/convert/convert.hpp"
@@ -13,6 +14,9 @@ void check_options(const ConvertOptions& options);
 
 /// The cropped picture.   @throws Error if the crop exceeds the picture.
 [[nodiscard]] Picture cropped(Picture picture, const Crop& crop);
+
+/// The same of one value a pixel, which lies over a picture.
+[[nodiscard]] Raster<std::uint8_t> cropped(Raster<std::uint8_t> values, const Crop& crop);
 
 /// Edge of a pixel of the (cropped) picture [m]: given directly, by the width, or by the resolution tag of
 /// the file, which adds a note.

@@ -15,20 +15,13 @@
 #include "specimen/convert/photo.hpp"
 #include "specimen/convert/reading.hpp"
 #include "specimen/convert/segment_map.hpp"
+#include "specimen/convert/segment_taught.hpp"
 #include "specimen/convert/smoothing.hpp"
 
 namespace specimen {
 namespace {
 
 void note(ConvertReport& report, std::string text) { report.notes.push_back(std::move(text)); }
-
-/// Methods that the other options call for; automatic where they leave it open.
-Segmentation implied_method(const ConvertOptions& o) {
-  if (o.method != Segmentation::automatic) return o.method;
-  if (!o.thresholds.empty()) return Segmentation::threshold;
-  if (!o.label_phases.empty()) return Segmentation::labels;
-  return Segmentation::automatic;
-}
 
 /// Edge of the median filter on a picture that was averaged: as given in pixels of the picture itself, or 1 %
 /// of the shorter side, which leaves what a mask can show.
@@ -278,7 +271,16 @@ Raster<Rgb> thinned(Raster<Rgb> picture) {
 
 }  // namespace
 
-Sorted segment(Picture picture, const ConvertOptions& options, ConvertReport& report) {
+Segmentation implied_method(const ConvertOptions& options) {
+  if (options.method != Segmentation::automatic) return options.method;
+  if (!options.strokes.empty() || !options.stroke_lines.empty() || !options.model.empty())
+    return Segmentation::taught;
+  if (!options.thresholds.empty()) return Segmentation::threshold;
+  if (!options.label_phases.empty()) return Segmentation::labels;
+  return Segmentation::automatic;
+}
+
+Sorted segment(Picture picture, const ConvertOptions& options, ConvertReport& report, Strokes strokes) {
   report.method = implied_method(options);
   const bool automatic = report.method == Segmentation::automatic;
   const bool wants_classes = options.classes != 0 || !options.class_phases.empty() || options.median > 1;
@@ -306,8 +308,9 @@ Sorted segment(Picture picture, const ConvertOptions& options, ConvertReport& re
       map.reset();  // a large picture fills the memory
       Raster<Rgb> shown = thinned(shown_colours(picture));
       Inside inside = inside_of(std::move(picture), options, report);
-      Sorted sorted = report.method == Segmentation::kmeans
-                          ? segment_colours(inside.picture, options, report)
+      Sorted sorted = report.method == Segmentation::kmeans ? segment_colours(inside.picture, options, report)
+                      : report.method == Segmentation::taught
+                          ? segment_taught(std::move(inside.picture), std::move(strokes), options, report)
                           : segment_thresholds(inside.picture, options, report);
       sorted.outside = std::move(inside.outside);
       sorted.shown = std::move(shown);

@@ -153,9 +153,14 @@ Rgb mixed(Rgb a, Rgb b) {
   return {half(a.r, b.r), half(a.g, b.g), half(a.b, b.b)};
 }
 
+/// Stripes that stand out from photographs of any colour: black and yellow.
+bool is_striped(int row, int col) { return (row + col) % 8 < 4; }
+Rgb stripe(int row, int col) { return (row + col) % 8 == 0 ? Rgb{0, 0, 0} : Rgb{255, 230, 0}; }
+
 }  // namespace
 
-Raster<Rgb> overlay(const Raster<Rgb>& photograph, const LabelledMask& mask) {
+Raster<Rgb> overlay(const Raster<Rgb>& photograph, const LabelledMask& mask,
+                    const Raster<std::uint8_t>& uncertain) {
   const int fine = photograph.cols / mask.labels.cols;
   const auto label_at = [&](int row, int col) {
     return mask.labels(std::min(row, photograph.rows - 1) / fine, std::min(col, photograph.cols - 1) / fine);
@@ -166,14 +171,18 @@ Raster<Rgb> overlay(const Raster<Rgb>& photograph, const LabelledMask& mask) {
       const std::uint8_t label = label_at(row, col);
       const bool is_edge = label_at(row + 1, col) != label || label_at(row, col + 1) != label;
       both(row, col) = photograph(row, col);
-      both(row, photograph.cols + gutter + col) =
-          is_edge ? Rgb{0, 0, 0} : mixed(photograph(row, col), phase_colour(label));
+      const bool is_hatched = !uncertain.empty() && uncertain(row, col) != 0 && is_striped(row, col);
+      both(row, photograph.cols + gutter + col) = is_edge ? Rgb{0, 0, 0}
+                                                  : is_hatched
+                                                      ? stripe(row, col)
+                                                      : mixed(photograph(row, col), phase_colour(label));
     }
   return both;
 }
 
-void write_overlay(const std::string& path, const Raster<Rgb>& photograph, const LabelledMask& mask) {
-  write_png(path, overlay(photograph, mask), 0, Origin::drawing);
+void write_overlay(const std::string& path, const Raster<Rgb>& photograph, const LabelledMask& mask,
+                   const Raster<std::uint8_t>& uncertain) {
+  write_png(path, overlay(photograph, mask, uncertain), 0, Origin::drawing);
 }
 
 }  // namespace specimen

@@ -67,10 +67,13 @@ void write_preview(const std::string& path, const LabelledMask& mask);
 
 /// A photograph, and beside it the same under a mask: in the colours of the phases, half transparent, with
 /// lines where phases meet.   @param photograph  of whole pixels a pixel of the mask.
-[[nodiscard]] Raster<Rgb> overlay(const Raster<Rgb>& photograph, const LabelledMask& mask);
+/// @param uncertain  1 where the phase is in doubt, hatched in yellow; shape of the photograph, or empty.
+[[nodiscard]] Raster<Rgb> overlay(const Raster<Rgb>& photograph, const LabelledMask& mask,
+                                  const Raster<std::uint8_t>& uncertain = {});
 
 /// Write overlay() as PNG, which says that it is a drawing.   @throws Error (Fault::write).
-void write_overlay(const std::string& path, const Raster<Rgb>& photograph, const LabelledMask& mask);
+void write_overlay(const std::string& path, const Raster<Rgb>& photograph, const LabelledMask& mask,
+                   const Raster<std::uint8_t>& uncertain = {});
 
 /// Write 8-bit labels in the format of the file extension: .png, .tif, .tiff (with the scale in the
 /// resolution tags), .bmp, .pgm. They say that they are labels; reading them gives the same ones.   @throws

@@ -219,6 +219,7 @@ struct PngPixels {
   std::size_t stride = 0;       ///< [bytes]
   png_uint_32 per_metre = 0;    ///< 0 = no scale
   const char* words = nullptr;  ///< own_words(); null = none
+  bool hasty = false;           ///< packed less tightly, in a fraction of the time
 };
 
 bool write_image(PngWriter& writer, const PngPixels& pixels, Bytes& bytes) {
@@ -228,6 +229,10 @@ bool write_image(PngWriter& writer, const PngPixels& pixels, Bytes& bytes) {
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(pixels.cols),
                static_cast<png_uint_32>(pixels.rows), 8, pixels.colour_type, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (pixels.hasty) {
+    png_set_compression_level(writer.png, 1);
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  }
   if (pixels.per_metre > 0)
     png_set_pHYs(writer.png, writer.info, pixels.per_metre, pixels.per_metre, PNG_RESOLUTION_METER);
   if (pixels.words != nullptr) {
@@ -303,6 +308,8 @@ Bytes encode_png(const std::string& path, const Raster<Rgb>& picture, double pix
   pixels.data = reinterpret_cast<const std::uint8_t*>(picture.data.data());
   pixels.stride = static_cast<std::size_t>(picture.cols) * 3;
   if (!words.empty()) pixels.words = words.c_str();
+  constexpr std::size_t large = 4'000'000;  // [px]: photographs, which hardly shrink whatever is tried
+  pixels.hasty = picture.size() > large;
   return encode(path, pixels, pixel_size);
 }
 

@@ -55,6 +55,41 @@ TEST(ConvertOptions, EachValueIsChecked) {
             "convert.channel: grey; gray, red, green, blue, hue, saturation, value, l, a, b are known");
 }
 
+TEST(ConvertOptions, StrokesAndModelsLeaveNothingElseToChoose) {
+  EXPECT_EQ(complaint([](auto& o) {
+              o.strokes = "s.png";
+              o.model = "m.mesomodel";
+            }),
+            "convert.model: given beside strokes; one of the two sorts a picture; leave the model out to "
+            "teach a new "
+            "one");
+  EXPECT_EQ(complaint([](auto& o) {
+              o.strokes = "s.png";
+              o.method = Segmentation::kmeans;
+            }),
+            "convert.strokes: given with method kmeans; belongs to method taught");
+  EXPECT_EQ(complaint([](auto& o) { o.method = Segmentation::taught; }),
+            "convert.strokes: none given; method taught needs strokes or a model; paint some on each phase, "
+            "on a layer "
+            "over the picture");
+  EXPECT_EQ(
+      complaint([](auto& o) {
+        o.strokes = "s.png";
+        o.classes = 3;
+      }),
+      "convert.classes: given beside convert.strokes; it has no effect on what strokes teach; leave it out");
+  EXPECT_EQ(complaint([](auto& o) {
+              o.model = "m.mesomodel";
+              o.even_light = true;
+            }),
+            "convert.even_light: given beside a model; a model says itself whether the light is evened out; "
+            "leave it "
+            "out");
+  EXPECT_EQ(
+      complaint([](auto& o) { o.smooth = 4; }),
+      "convert.smooth: 4 px without strokes; it belongs to method taught; use median for other methods");
+}
+
 TEST(ConvertOptions, OptionsThatTheMethodWouldPassOverAreRefused) {
   EXPECT_EQ(complaint([](auto& o) {
               o.method = Segmentation::otsu;
@@ -65,7 +100,7 @@ TEST(ConvertOptions, OptionsThatTheMethodWouldPassOverAreRefused) {
               o.method = Segmentation::kmeans;
               o.label_phases = {{1, "mortar"}};
             }),
-            "convert.label_phases: given with method kmeans; they belong to method labels");
+            "convert.label_phases: given with method kmeans; they belong to labels and taught");
   EXPECT_EQ(complaint([](auto& o) {
               o.method = Segmentation::labels;
               o.class_phases = {"void", "mortar"};

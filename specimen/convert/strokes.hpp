@@ -1,0 +1,40 @@
+/// Strokes: pixels of a picture whose phase the user has shown, painted or as lines.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "specimen/convert/convert.hpp"
+#include "specimen/picture/picture.hpp"
+
+namespace specimen {
+
+inline constexpr std::uint8_t no_stroke = 255;   ///< where nothing was shown
+inline constexpr std::uint8_t cut_stroke = 254;  ///< where two aggregates that touch are to be parted
+
+/// What strokes show of each pixel.
+struct Strokes {
+  Raster<std::uint8_t> labels;                          ///< label of a phase, cut_stroke or no_stroke
+  std::vector<std::string> phases = standard_phases();  ///< names of the labels; empty = not in use
+};
+
+/// Colour of a stroke that parts two aggregates: black.
+inline constexpr Rgb cut_colour{0, 0, 0};
+
+/// Strokes that were painted over a picture, on a layer that is transparent elsewhere. A pixel that is more
+/// than half opaque shows the phase whose phase_colour() it has, within 8 of 255 in each channel; a few
+/// pixels of other colours, such as brushes leave at their edges, show nothing.
+/// @param drawn  as read from `path`.   @param names  of labels above 3, whose colours may be used too.
+/// @throws Error if the picture is opaque or empty, or if more than 2 % of what is painted has other colours.
+[[nodiscard]] Strokes painted_strokes(const Picture& drawn, const std::string& path,
+                                      const std::vector<std::pair<std::int64_t, std::string>>& names);
+
+/// Strokes along lines.
+/// @param rows, cols  of the picture.
+/// @throws Error for a line outside of the picture, one that is too thin or too wide, and for two lines that
+/// show different phases of one pixel.
+[[nodiscard]] Strokes strokes_along(const std::vector<StrokeLine>& lines, int rows, int cols);
+
+}  // namespace specimen
