@@ -155,10 +155,11 @@ class Tree {
     }
   }
 
-  /// The best cut by one feature, drawn at random; by another one where it does not part the lessons.
+  /// The best cut by two features, drawn at random; by further ones where these do not part the lessons.
   Cut best_cut(std::size_t begin, std::size_t end, const std::vector<double>& all) {
+    constexpr std::size_t fewest = 2;
     Cut best;
-    for (std::size_t i = 0; i < tried_.size() && best.feature < 0; ++i) {
+    for (std::size_t i = 0; i < tried_.size() && (i < fewest || best.feature < 0); ++i) {
       std::swap(tried_[i], tried_[i + draw_below(random_, tried_.size() - i)]);
       try_feature(tried_[i], begin, end, all, best);
     }

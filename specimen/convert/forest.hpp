@@ -52,12 +52,12 @@ struct Taught {
 
 /// Grow a forest. Each tree sees as many lessons of each class as of any other, from strokes that are drawn
 /// with repetition, so that neither long strokes nor many of them outweigh the rest, and a tree knows whole
-/// strokes that others do not. A node parts its lessons by one feature, drawn at random, at the rank of 256
-/// that is best by Gini's impurity, and between the values there at random: so all features have a say in
-/// what lies between the phases, not only those that part the strokes best. The same lessons and seed give
-/// the same forest on every machine and any number of threads.
+/// strokes that others do not. A node parts its lessons by the better of two features, drawn at random, at
+/// the rank of 256 that is best by Gini's impurity, and between the values there at random: so all features
+/// have a say in what lies between the phases, not only those that part the strokes best. The same lessons
+/// and seed give the same forest on every machine and any number of threads.
 /// @param classes  number of classes, 2 to 255, each of which has a lesson.
-/// Sources: Breiman (2001); one feature a node, Geurts, Ernst, Wehenkel (2006); as many of each class, Chen,
+/// Sources: Breiman (2001); few features a node, Geurts, Ernst, Wehenkel (2006); as many of each class, Chen,
 /// Liaw, Breiman (2004).
 [[nodiscard]] Taught grow_forest(const Lessons& lessons, int classes, const ForestOptions& options,
                                  int threads);

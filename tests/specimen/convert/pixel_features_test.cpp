@@ -106,18 +106,18 @@ TEST(PixelFeatures, EdgeHasAGradientAndARoughPartADeviation) {
 }
 
 TEST(PixelFeatures, TensorTellsStripesFromDots) {
-  Raster<Lab> picture(64, 64, Lab{100, 128, 128});
+  Raster<Lab> picture(64, 160, Lab{100, 128, 128});
   for (int r = 0; r < 64; ++r)
-    for (int c = 0; c < 64; ++c) {
-      if (c < 32 && c % 4 < 2) picture(r, c).l_code = 200;
-      if (c >= 32 && c % 4 < 2 && r % 4 < 2) picture(r, c).l_code = 200;
+    for (int c = 0; c < 160; ++c) {
+      if (c < 80 && c % 4 < 2) picture(r, c).l_code = 200;
+      if (c >= 80 && c % 4 < 2 && r % 4 < 2) picture(r, c).l_code = 200;
     }
   const PixelFeatures features(picture, 4, 1);
-  const float stripes = feature_at(features, 32, 16, "edges along at scale 8");
-  const float dots = feature_at(features, 32, 48, "edges along at scale 8");
+  const float stripes = feature_at(features, 32, 40, "edges along at scale 8");
+  const float dots = feature_at(features, 32, 120, "edges along at scale 8");
   EXPECT_LT(stripes, 1);
   EXPECT_GT(dots, 4);
-  EXPECT_GT(feature_at(features, 32, 16, "edges across at scale 8"), 5);
+  EXPECT_GT(feature_at(features, 32, 40, "edges across at scale 8"), 5);
 }
 
 TEST(PixelFeatures, LargerPicturesHaveMoreScalesUpToSeven) {
