@@ -118,17 +118,27 @@ std::string share_text(const std::vector<Peaks>& all) {
          output::percent(std::abs(all[1].off)) + (all[1].off < 0 ? " below" : " above");
 }
 
+/// Whether the mean is inside the paper's band, or no farther from it than one run from another.
+bool reaches_paper_band(const Peaks& peaks) {
+  const PaperBand band;
+  const auto reaches = [](const Spread& spread, double least, double largest) {
+    return spread.mean + spread.deviation >= least && spread.mean - spread.deviation <= largest;
+  };
+  return reaches(spread_of(peaks.stresses), band.least_stress, band.largest_stress) &&
+         reaches(spread_of(peaks.strains), band.least_strain, band.largest_strain);
+}
+
 std::string bands_text(const std::vector<Peaks>& all) {
   std::string inside;
   for (const Peaks& one : all)
-    if (in_paper_band(spread_of(one.stresses).mean, spread_of(one.strains).mean))
+    if (reaches_paper_band(one))
       inside += (inside.empty() ? "" : "; ") + one.way->cell + ", " + one.way->motion;
   return "The strengths of Table 1 were not fitted here. " +
          (inside.empty()
               ? "In no way do they give the paper's peak of two aggregates (1.40 to 2.09 MPa at 46 to "
                 "103 microstrain)."
               : "They give the paper's peak of two aggregates (1.40 to 2.09 MPa at 46 to 103 "
-                "microstrain) with: " +
+                "microstrain), within a standard deviation, with: " +
                     inside + ".") +
          " With one point a cell the corners of a cell can move against each other without resistance, so "
          "that "

@@ -50,7 +50,7 @@ TEST(FigInertia, SaysWhatShareOfThePeakIsInertia) {
 TEST(FigInertia, NamesTheWayThatGivesThePeakOfThePaper) {
   const Effort effort = test::tiny_effort();
   EXPECT_THAT(inertia_figure().evaluate(effort, outcomes_with(effort, 1.1, 1.8e6)).html,
-              HasSubstr("microstrain) with: 1 x 1, explicit."));
+              HasSubstr("microstrain), within a standard deviation, with: 1 x 1, explicit."));
 }
 
 }  // namespace fig_inertia_test
