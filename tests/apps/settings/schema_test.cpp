@@ -36,6 +36,7 @@ std::vector<Value> trial_values() {
           text("points"),
           text("void"),
           text("clipped"),
+          text("hordijk"),
           text("rough"),
           text("stress"),
           text("baseline"),
