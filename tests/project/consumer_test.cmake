@@ -5,7 +5,7 @@
 file(REMOVE_RECURSE ${WORK_DIR})
 set(ENV{DESTDIR})
 set(only_specimen_needs PNG JPEG TIFF OpenCVParts)  # none of which the other may look for
-set(only_mpm_needs Eigen3 Threads)
+set(only_mpm_needs Eigen3)
 
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)

@@ -3,7 +3,7 @@
 # Needs: MESOPIX_DIR, SOURCE_DIR (of the consumer), WORK_DIR, COMPILER
 file(REMOVE_RECURSE ${WORK_DIR})
 set(only_specimen_needs PNG JPEG TIFF OpenCVParts)
-set(only_mpm_needs Eigen3 Threads)
+set(only_mpm_needs Eigen3)
 set(only_program_needs Boost CLI11 fmt nlohmann_json tomlplusplus ZLIB GTest pybind11)
 
 function(use library)
