@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "specimen/body/mask.hpp"
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 namespace {

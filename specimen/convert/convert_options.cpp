@@ -6,7 +6,7 @@
 
 #include "specimen/body/error.hpp"
 #include "specimen/body/measure.hpp"
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "specimen/body/mask.hpp"
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 

@@ -7,7 +7,7 @@
 
 #include "specimen/body/raster.hpp"
 #include "specimen/convert/classes.hpp"
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 

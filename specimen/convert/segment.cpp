@@ -9,7 +9,6 @@
 #include "specimen/convert/classes.hpp"
 #include "specimen/convert/convert_options.hpp"
 #include "specimen/convert/guess.hpp"
-#include "specimen/convert/image_colour.hpp"
 #include "specimen/convert/levels.hpp"
 #include "specimen/convert/outside.hpp"
 #include "specimen/convert/photo.hpp"
@@ -17,6 +16,7 @@
 #include "specimen/convert/segment_map.hpp"
 #include "specimen/convert/segment_taught.hpp"
 #include "specimen/convert/smoothing.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 namespace {

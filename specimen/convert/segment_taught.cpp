@@ -7,13 +7,13 @@
 
 #include "specimen/body/error.hpp"
 #include "specimen/body/measure.hpp"
-#include "specimen/convert/edge_smoothing.hpp"
-#include "specimen/convert/even_light.hpp"
 #include "specimen/convert/levels.hpp"
-#include "specimen/convert/model_file.hpp"
-#include "specimen/convert/pixel_features.hpp"
 #include "specimen/convert/smoothing.hpp"
-#include "specimen/convert/taught.hpp"
+#include "specimen/teach/edge_smoothing.hpp"
+#include "specimen/teach/even_light.hpp"
+#include "specimen/teach/model_file.hpp"
+#include "specimen/teach/pixel_features.hpp"
+#include "specimen/teach/taught.hpp"
 
 namespace specimen {
 namespace {

@@ -8,11 +8,9 @@
 
 #include "specimen/convert/convert.hpp"
 #include "specimen/picture/picture.hpp"
+#include "specimen/teach/taught.hpp"
 
 namespace specimen {
-
-inline constexpr std::uint8_t no_stroke = 255;   ///< where nothing was shown
-inline constexpr std::uint8_t cut_stroke = 254;  ///< where two aggregates that touch are to be parted
 
 /// What strokes show of each pixel.
 struct Strokes {

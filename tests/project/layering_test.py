@@ -15,7 +15,8 @@ libraries = ("specimen/", "libmpm/")
 rooms = {
     "specimen/body": "",
     "specimen/picture": "specimen/body",
-    "specimen/convert": "specimen/picture",
+    "specimen/teach": "specimen/picture",
+    "specimen/convert": "specimen/teach",
     "specimen/pack": "specimen/body",
     "specimen/describe": "specimen/pack specimen/picture",
     "specimen/file": "specimen/body",
@@ -61,7 +62,7 @@ sees_inside = {
 # An include that matches the first may stand only in a file that matches the second.
 may_include = [
     (r"tests/", r"tests/"),
-    (r"opencv", r"specimen/(picture|convert)/|tests/"),
+    (r"opencv", r"specimen/(picture|teach|convert)/|tests/"),
     (r"hdf5|H5", r"specimen/file/|libmpm/files/|tests/"),
     (r"toml|CLI/|cairo|nlohmann", r"(apps|tests)/"),
     (r"iostream", r"(apps|tests)/"),

@@ -1,4 +1,4 @@
-#include "specimen/convert/even_light.hpp"
+#include "specimen/teach/even_light.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "specimen/convert/taught.hpp"
+#include "specimen/teach/taught.hpp"
 
 namespace specimen {
 

@@ -1,10 +1,10 @@
-#include "specimen/convert/edge_smoothing.hpp"
+#include "specimen/teach/edge_smoothing.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "specimen/convert/parallel.hpp"
+#include "specimen/teach/parallel.hpp"
 
 namespace specimen {
 namespace {

@@ -1,4 +1,4 @@
-#include "specimen/convert/forest.hpp"
+#include "specimen/teach/forest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "specimen/body/raster.hpp"
-#include "specimen/convert/parallel.hpp"
+#include "specimen/teach/parallel.hpp"
 
 namespace specimen {
 namespace {

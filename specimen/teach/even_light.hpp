@@ -2,7 +2,7 @@
 #pragma once
 
 #include "specimen/body/raster.hpp"
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 

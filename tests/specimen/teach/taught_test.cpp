@@ -1,4 +1,4 @@
-#include "specimen/convert/taught.hpp"
+#include "specimen/teach/taught.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "specimen/convert/taught.hpp"
+#include "specimen/teach/taught.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,7 @@
 #include "specimen/body/error.hpp"
 #include "specimen/body/mask.hpp"
 #include "specimen/body/measure.hpp"
-#include "specimen/convert/parallel.hpp"
-#include "specimen/convert/strokes.hpp"
+#include "specimen/teach/parallel.hpp"
 
 namespace specimen {
 namespace {

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "specimen/body/raster.hpp"
-#include "specimen/convert/edge_smoothing.hpp"
-#include "specimen/convert/forest.hpp"
-#include "specimen/convert/pixel_features.hpp"
+#include "specimen/teach/edge_smoothing.hpp"
+#include "specimen/teach/forest.hpp"
+#include "specimen/teach/pixel_features.hpp"
 
 namespace specimen {
+
+inline constexpr std::uint8_t no_stroke = 255;   ///< where nothing was shown
+inline constexpr std::uint8_t cut_stroke = 254;  ///< where two aggregates that touch are to be parted
 
 /// All that is needed to sort the pixels of another picture of the same series.
 struct TaughtModel {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "specimen/body/raster.hpp"
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 

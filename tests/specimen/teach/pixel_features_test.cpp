@@ -1,4 +1,4 @@
-#include "specimen/convert/pixel_features.hpp"
+#include "specimen/teach/pixel_features.hpp"
 
 #include <gtest/gtest.h>
 

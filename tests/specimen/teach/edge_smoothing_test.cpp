@@ -1,4 +1,4 @@
-#include "specimen/convert/edge_smoothing.hpp"
+#include "specimen/teach/edge_smoothing.hpp"
 
 #include <gtest/gtest.h>
 

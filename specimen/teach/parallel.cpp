@@ -1,4 +1,4 @@
-#include "specimen/convert/parallel.hpp"
+#include "specimen/teach/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

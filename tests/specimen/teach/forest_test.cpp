@@ -1,4 +1,4 @@
-#include "specimen/convert/forest.hpp"
+#include "specimen/teach/forest.hpp"
 
 #include <gtest/gtest.h>
 

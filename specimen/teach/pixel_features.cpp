@@ -1,11 +1,11 @@
-#include "specimen/convert/pixel_features.hpp"
+#include "specimen/teach/pixel_features.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 
-#include "specimen/convert/parallel.hpp"
+#include "specimen/teach/parallel.hpp"
 
 namespace specimen {
 namespace {

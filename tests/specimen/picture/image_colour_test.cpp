@@ -1,4 +1,4 @@
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "specimen/convert/model_file.hpp"
+#include "specimen/teach/model_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
