@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/material/failure.hpp"
+#include "libmpm/material/softening.hpp"
 #include "libmpm/material/strength.hpp"
 #include "libmpm/scene/error.hpp"
 #include "libmpm/solver/threads.hpp"

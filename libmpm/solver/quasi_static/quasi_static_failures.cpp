@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libmpm/material/softening.hpp"
 #include "libmpm/solver/quasi_static/quasi_static_solver.hpp"
 
 namespace mpm {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "specimen/convert/image_colour.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace colours_test {
 
