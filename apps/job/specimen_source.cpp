@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "apps/scene/ellipse_list.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/stroke_list.hpp"
+#include "apps/system/files.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/complaint.hpp"
 #include "apps/text/markup.hpp"
@@ -72,6 +72,7 @@ Prepared with_rings(specimen::Converted converted, const Settings& settings) {
   prepared.model = std::move(converted.model);
   const auto itz = itz_for(prepared.segmentation.mask, settings.itz, prepared.notes);
   auto origin = provenance(settings, picture.filename().string(), picture.parent_path());
+  origin.warnings = std::move(converted.report.warnings);
   prepared.specimen = specimen::make_specimen(std::move(converted.segmented), itz, std::move(origin));
   return prepared;
 }
@@ -131,13 +132,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ending(const std::string& path) {
-  std::string text = fs::path(path).extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 std::string path_beside(const std::string& path, const char* ending) {
   const fs::path file(path);
   return (file.parent_path() / (file.stem().string() + ending)).string();
@@ -155,7 +149,7 @@ bool same_file(const std::string& first, const std::string& second) {
 
 void check_output(const std::string& path, const std::string& input) {
   constexpr std::array<const char*, 6> endings{".h5", ".png", ".tif", ".tiff", ".bmp", ".pgm"};
-  if (std::find(endings.begin(), endings.end(), ending(path)) == endings.end())
+  if (std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
     throw Rejected(Exit::usage, "-o", path, "must end in .h5, .png, .tif, .tiff, .bmp or .pgm");
   for (const std::string& file : {path, path_beside(path, preview_ending), path_beside(path, overlay_ending)})
     if (!input.empty() && same_file(file, input))
@@ -165,7 +159,7 @@ void check_output(const std::string& path, const std::string& input) {
 std::vector<std::string> write_specimen_output(const std::string& path, const specimen::Specimen& specimen,
                                                const specimen::Raster<specimen::Rgb>& photograph,
                                                const specimen::Raster<std::uint8_t>& uncertain) {
-  if (ending(path) != ".h5") {
+  if (ending_of(path) != ".h5") {
     specimen::write_labels(path, specimen.mask);
     return {path};
   }

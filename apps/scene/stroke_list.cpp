@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -14,6 +12,7 @@
 #include "apps/text/complaint.hpp"
 #include "apps/text/quantity.hpp"
 #include "apps/text/text_parts.hpp"
+#include "apps/text/words.hpp"
 
 namespace app {
 namespace {
@@ -22,13 +21,6 @@ using specimen::StrokeLine;
 
 constexpr const char* stroke_header = "write the header stroke,phase,width_px,x_px,y_px";
 constexpr const char* allowed_phase = "must be the name of a phase: letters, digits, _ and -";
-
-std::string ending_of(const std::string& path) {
-  std::string text = std::filesystem::path(path).extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// Rows of points; those of a stroke follow each other.
 class StrokeTable : public TableReader {
@@ -68,7 +60,6 @@ class StrokeTable : public TableReader {
   }
 
   void read_row(const std::vector<CsvCell>& cells) override {
-    ++row_;
     StrokeLine line;
     std::string stroke;
     std::pair<double, double> point;
@@ -93,6 +84,11 @@ class StrokeTable : public TableReader {
       complain(1, "phase", line.phase, fmt::format("stroke {} began as {}", stroke, lines_.back().phase),
                "give each stroke a number of its own");
       return;
+    } else if (lines_.back().width != line.width) {
+      complain(1, "width_px", fmt::format("{}", line.width),
+               fmt::format("stroke {} began with {}", stroke, lines_.back().width),
+               "give each stroke a number of its own");
+      return;
     }
     lines_.back().points.push_back(point);
   }
@@ -100,10 +96,28 @@ class StrokeTable : public TableReader {
   std::vector<std::string> columns_;
   std::vector<StrokeLine> lines_;
   std::string stroke_;
-  int row_ = 0;
 };
 
 using FeatureJson = nlohmann::json;
+
+constexpr int deepest_features = 32;  ///< of brackets; a MultiLineString of a FeatureCollection has 7
+
+/// Brackets that are open at once at most, those in texts not counted.
+int deepest_brackets(const std::string& text) {
+  int open = 0, most = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (in_text && text[i] == '\\')
+      ++i;
+    else if (text[i] == '"')
+      in_text = !in_text;
+    else if (!in_text && (text[i] == '[' || text[i] == '{'))
+      most = std::max(most, ++open);
+    else if (!in_text && (text[i] == ']' || text[i] == '}'))
+      --open;
+  }
+  return most;
+}
 
 Rejected bad_feature(const std::string& where, const std::string& value, const std::string& allowed) {
   return {Exit::data, where, value, allowed, ""};
@@ -118,10 +132,9 @@ std::string phase_of_feature(const FeatureJson& feature, const std::string& wher
       phase = *named;
     if (const auto sorted = properties.find("classification");
         phase.empty() && sorted != properties.end() && sorted->is_object())
-      phase = sorted->value("name", "");
+      if (const auto name = sorted->find("name"); name != sorted->end() && name->is_string()) phase = *name;
   }
-  std::transform(phase.begin(), phase.end(), phase.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  phase = lower(phase);
   if (!is_phase_name(phase))
     throw bad_feature(where, phase.empty() ? "no phase" : phase,
                       std::string("its property phase ") + allowed_phase);
@@ -167,6 +180,8 @@ void add_feature(const FeatureJson& feature, const std::string& where, std::vect
 }
 
 std::vector<StrokeLine> strokes_of_json(const std::string& text, const std::string& path) {
+  if (deepest_brackets(text) > deepest_features)
+    throw bad_feature(path, fmt::format("brackets deeper than {}", deepest_features), "must be GeoJSON");
   const FeatureJson json = FeatureJson::parse(text, nullptr, false);
   if (json.is_discarded()) throw bad_feature(path, "is no JSON", "strokes are GeoJSON, CSV or a picture");
   const FeatureJson features = json.is_array()                                 ? json

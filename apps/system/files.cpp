@@ -16,10 +16,15 @@
 #include <utility>
 
 #include "apps/text/complaint.hpp"
+#include "apps/text/words.hpp"
 #include "libmpm/scene/error.hpp"
 #include "specimen/body/error.hpp"
 
 namespace app {
+
+std::string ending_of(const std::string& path) {
+  return lower(std::filesystem::path(path).extension().string());
+}
 
 void require_regular_file(const std::string& path) {
   std::error_code unknown;

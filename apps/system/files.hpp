@@ -14,6 +14,9 @@ namespace app {
 inline constexpr std::size_t longest_text = std::size_t{16} << 20U;    ///< of what a person writes [bytes]
 inline constexpr std::size_t longest_table = std::size_t{256} << 20U;  ///< of what a machine measured [bytes]
 
+/// What stands after the last dot of the name of a file, with the dot and in small letters; or nothing.
+[[nodiscard]] std::string ending_of(const std::string& path);
+
 /// A pipe or a device may never begin, or never end: it is not even opened.
 /// @throws Rejected (Exit::io) for what is there and neither a regular file nor a folder.
 void require_regular_file(const std::string& path);

@@ -3,20 +3,16 @@
 #include "apps/text/complaint.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
 namespace app {
-namespace {
 
 std::string lower(std::string_view text) {
   std::string result(text);
   std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return result;
 }
-
-}  // namespace
 
 int edit_distance(std::string_view first, std::string_view second) {
   std::vector<int> before(second.size() + 1);

@@ -10,6 +10,9 @@
 
 namespace app {
 
+/// In small letters; only A to Z change.
+[[nodiscard]] std::string lower(std::string_view text);
+
 /// Least number of letters to insert, delete, replace or swap with their neighbour (Damerau-Levenshtein,
 /// restricted).
 [[nodiscard]] int edit_distance(std::string_view first, std::string_view second);

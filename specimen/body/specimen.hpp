@@ -18,6 +18,7 @@ struct Provenance {
   std::string options;     ///< the resolved options, as TOML text
   std::uint64_t seed = 0;  ///< seed of the random ellipses; 0 = none were drawn
   std::string version;     ///< version of mesopix
+  std::vector<std::string> warnings = {};  ///< guesses on the way that may well be wrong, one sentence each
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 

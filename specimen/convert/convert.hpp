@@ -132,8 +132,9 @@ struct ConvertOptions {
 
 /// What the conversion did and guessed.
 struct ConvertReport {
-  std::vector<std::string> notes;  ///< one sentence each, for the user
-  double uncertain = not_known;    ///< taught: share of the area where two phases are nearly as likely [-]
+  std::vector<std::string> notes;     ///< one sentence each, for the user
+  std::vector<std::string> warnings;  ///< guesses that may well be wrong
+  double uncertain = not_known;       ///< taught: share of the area where two phases are nearly as likely [-]
   Segmentation method = Segmentation::automatic;  ///< the method used, never automatic
   std::vector<double> thresholds;                 ///< the thresholds used, levels of the channel
   double source_pixel_size = 0;                   ///< [m]

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <unordered_map>
 
 #include "specimen/body/mask.hpp"
 #include "specimen/convert/instances.hpp"
 #include "specimen/convert/levels.hpp"
 #include "specimen/convert/shapes.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 namespace {
@@ -185,9 +185,8 @@ std::string value_text(const ValueMap& map, int code) {
   if (!map.names.empty()) return std::to_string(map.names[static_cast<std::size_t>(code)]);
   if (value == no_number) return "NaN";
   if (!map.colours) return std::to_string(value);
-  std::array<char, 8> text{};
-  (void)std::snprintf(text.data(), text.size(), "#%06x", static_cast<unsigned>(value & 0xffffff));
-  return text.data();
+  const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift & 255); };
+  return colour_text({byte(16), byte(8), byte(0)});
 }
 
 double coherence(const ValueMap& map) {

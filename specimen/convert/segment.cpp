@@ -210,7 +210,8 @@ std::vector<std::string> read_drawing(const ColourClasses& found, ConvertReport&
   if (reading.other.empty()) return std::move(reading.phases);
   std::string names;
   for (const std::string& phase : reading.other) names += (names.empty() ? "" : ",") + phase;
-  note(report, "the picture can be read in two ways; class_phases = " + names + " gives the other one");
+  report.warnings.push_back("the picture can be read in two ways; class_phases = " + names +
+                            " gives the other one");
   return std::move(reading.phases);
 }
 

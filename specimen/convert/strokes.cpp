@@ -8,21 +8,12 @@
 
 #include "specimen/body/error.hpp"
 #include "specimen/body/measure.hpp"
+#include "specimen/picture/image_colour.hpp"
 
 namespace specimen {
 namespace {
 
 constexpr double widest_stroke = 1000;  ///< [px]
-
-std::string hexadecimal(Rgb colour) {
-  constexpr const char* digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
-    text += digits[channel / 16];
-    text += digits[channel % 16];
-  }
-  return text;
-}
 
 /// A colour that strokes may have, and what it shows.
 struct Paint {
@@ -55,7 +46,7 @@ std::string palette_text(const std::vector<Paint>& paints, const std::vector<std
   std::vector<std::string> all;
   for (const Paint& paint : paints)
     all.push_back((paint.label == cut_stroke ? "a cut between two aggregates" : phases[paint.label]) + " " +
-                  hexadecimal(paint.colour));
+                  colour_text(paint.colour));
   return listed(all);
 }
 
@@ -73,7 +64,7 @@ class Strange {
     const auto most = std::max_element(count_.begin(), count_.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     const auto byte = [&](int shift) { return static_cast<std::uint8_t>(most->first >> shift & 255); };
-    return hexadecimal({byte(16), byte(8), byte(0)}) + " at " + counted(most->second, "pixel");
+    return colour_text({byte(16), byte(8), byte(0)}) + " at " + counted(most->second, "pixel");
   }
 
  private:
@@ -122,7 +113,7 @@ Strokes painted_strokes(const Picture& drawn, const std::string& path,
                     strange.commonest(),
                 "colours are: " + palette_text(paints, strokes.phases),
                 "paint with these; label_phases = 4:NAME gives a phase of your own the colour " +
-                    hexadecimal(phase_colour(4)));
+                    colour_text(phase_colour(4)));
   return strokes;
 }
 

@@ -61,6 +61,7 @@ std::vector<std::string> doubts_of(const Specimen& specimen) {
   doubt_phases(specimen.mask, doubts);
   doubt_aggregates(specimen, doubts);
   doubt_size(specimen.mask, doubts);
+  doubts.insert(doubts.begin(), specimen.provenance.warnings.begin(), specimen.provenance.warnings.end());
   for (std::string& doubt : doubts) doubt += "; look at the specimen before you trust a result";
   return doubts;
 }

@@ -13,7 +13,8 @@ namespace specimen {
 /// asked for.
 /// - void on more than 30 %, aggregate on more than 80 % of the area, one aggregate on more than 50 %;
 /// - no aggregate, or more than 2,000 of at most nine pixels;
-/// - a width below 2 mm or above 10 m.
+/// - a width below 2 mm or above 10 m;
+/// - and what its provenance warns of.
 [[nodiscard]] std::vector<std::string> doubts_of(const Specimen& specimen);
 
 }  // namespace specimen

@@ -160,6 +160,7 @@ void write_provenance(hid_t file, const Provenance& provenance) {
   write_attribute(group, "seed", provenance.seed);
   write_attribute(group, "version", provenance.version);
   write_list(group, "options", std::vector<std::string>{provenance.options});  // an attribute ends at 64 KiB
+  if (!provenance.warnings.empty()) write_list(group, "warnings", provenance.warnings);
 }
 
 /// An HDF5 file that lives in memory, so that HDF5 never meets a disk that fails half-way.

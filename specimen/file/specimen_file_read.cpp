@@ -94,14 +94,21 @@ ItzOptions read_itz(hid_t file) {
           hdf5::read_attribute<std::int32_t>(group, "/rings", "segments")};
 }
 
+constexpr std::int64_t most_warnings = 100;
+
 Provenance read_provenance(hid_t file) {
   const Handle group = hdf5::open_object(file, "/provenance", H5I_GROUP);
   const auto options = hdf5::read_texts(file, "/provenance/options", 1);
   if (options.empty()) throw Error("/provenance/options", "is empty", "must be one text");
+  std::vector<std::string> warnings;
+  if (hdf5::require(H5Lexists(group, "warnings", H5P_DEFAULT), "/provenance") > 0)
+    warnings = hdf5::read_texts(file, "/provenance/warnings", most_warnings);
   return {hdf5::read_text_attribute(group, "/provenance", "source"),
-          hdf5::read_text_attribute(group, "/provenance", "sha256"), options.front(),
+          hdf5::read_text_attribute(group, "/provenance", "sha256"),
+          options.front(),
           hdf5::read_attribute<std::uint64_t>(group, "/provenance", "seed"),
-          hdf5::read_text_attribute(group, "/provenance", "version")};
+          hdf5::read_text_attribute(group, "/provenance", "version"),
+          std::move(warnings)};
 }
 
 void check_format(hid_t file) {

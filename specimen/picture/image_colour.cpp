@@ -37,6 +37,16 @@ Raster<double> each(const Raster<T>& picture, Value value) {
 
 }  // namespace
 
+std::string colour_text(Rgb colour) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
+    text += digits[channel / 16];
+    text += digits[channel % 16];
+  }
+  return text;
+}
+
 Raster<Lab> to_lab(const Raster<Rgb>& picture) {
   Raster<Lab> lab(picture.rows, picture.cols);
   cv::Mat target = view(lab);

@@ -20,6 +20,9 @@ struct Lab {
 
 [[nodiscard]] Raster<Lab> to_lab(const Raster<Rgb>& picture);
 
+/// As in a style sheet: "#708096".
+[[nodiscard]] std::string colour_text(Rgb colour);
+
 /// Names of the channels of a colour picture.
 [[nodiscard]] const std::vector<std::string>& channel_names();
 

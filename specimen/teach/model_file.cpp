@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <locale>
@@ -209,6 +210,9 @@ TaughtModel decode_model(const std::string& bytes, const std::string& path) {
 }
 
 TaughtModel read_model(const std::string& path) {
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))  // a pipe may never end
+    throw Error(path, "is not a regular file", "must be a file that mesopix convert --save-model wrote", {},
+                Fault::write);
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   const std::int64_t length = stream ? static_cast<std::int64_t>(stream.tellg()) : -1;
   if (length > largest_file)

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -26,7 +27,10 @@ void share_out(int count, int threads, const std::function<void(int)>& work) {
   };
   {
     std::vector<std::jthread> helpers;
-    for (int i = 1; i < hands; ++i) helpers.emplace_back(serve);
+    try {
+      for (int i = 1; i < hands; ++i) helpers.emplace_back(serve);
+    } catch (const std::system_error&) {  // the system gives no more threads: those that are here do it
+    }
     serve();
   }
   if (fault) std::rethrow_exception(fault);

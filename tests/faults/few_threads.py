@@ -25,11 +25,12 @@ commands = {
     "quasi-static": ["simulate", "scene.toml", "--threads", "4", "--set", "solver.method=quasi_static", "-o", "out"],
     "study": ["study", "study.toml", "--jobs", "4", "-o", "out"],
     "report": ["report", "run"],
+    "taught": ["convert", "picture.pgm", "--pixel-size", "0.5 mm", "--strokes", "strokes.csv", "-o", "out.h5"],
     "convert": ["convert", "picture.pgm", "--pixel-size", "0.5 mm",
                 "--label-phases", "90:mortar,220:aggregate", "-o", "out.h5"],
 }
 same = {"simulate": ["out/curve.csv"], "served": ["out/curve.csv"], "quasi-static": ["out/curve.csv"],
-        "study": ["out/table.csv"], "report": ["run/curve.csv", "run/summary.json"], "convert": ["out.h5"]}
+        "study": ["out/table.csv"], "report": ["run/curve.csv", "run/summary.json"], "convert": ["out.h5"], "taught": ["out.h5"]}
 
 
 def call(words, folder, most=None):
@@ -50,6 +51,8 @@ def prepare(folder):
     (folder / "study.toml").write_text('scene = "scene.toml"\nseeds = 4\n')
     bright = [(x // 20 + y // 20) % 2 for y in range(80) for x in range(80)]
     (folder / "picture.pgm").write_bytes(b"P5 80 80 255\n" + bytes(220 if grain else 90 for grain in bright))
+    (folder / "strokes.csv").write_text("stroke,phase,width_px,x_px,y_px\n1,mortar,3,5,5\n1,mortar,3,14,14\n"
+                                        "2,aggregate,3,25,5\n2,aggregate,3,34,14\n")
     if (whole / "run").exists():
         shutil.copytree(whole / "run", folder / "run")
         for path in [folder / "run", *(folder / "run").iterdir()]:

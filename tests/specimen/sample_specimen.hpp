@@ -26,8 +26,12 @@ inline specimen::Specimen sample_specimen() {
   s.itz = {specimen::ItzMode::points, 0.25e-3, 4};
   s.rings = {{3, {{2.6e-3, 2e-3}, {3e-3, 1.6e-3}, {3.4e-3, 2e-3}, {3e-3, 2.4e-3}}},
              {7, {{1.0 / 3, 0}, {0, 1e-300}, {-0.0, 5}}}};
-  s.provenance = {"slice.png", std::string(64, 'a'), "[convert]\nname = \"\u00e4\"\n\n",
-                  0xFFFFFFFFFFFFFFFFULL, "0.1.0"};
+  s.provenance = {"slice.png",
+                  std::string(64, 'a'),
+                  "[convert]\nname = \"\u00e4\"\n\n",
+                  0xFFFFFFFFFFFFFFFFULL,
+                  "0.1.0",
+                  {"it can be read in two ways", "pores were lost"}};
   return s;
 }
 

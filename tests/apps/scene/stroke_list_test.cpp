@@ -41,6 +41,8 @@ TEST(StrokeList, MistakesOfATableAreNamedWithTheirPlace) {
               HasSubstr("must be the name of a phase"));
   EXPECT_EQ(complaint_about("stroke,phase,x_px,y_px\n1,void,1,2\n1,mortar,1,2\n"),
             "s.csv:3:1: phase: mortar; stroke 1 began as void; give each stroke a number of its own");
+  EXPECT_EQ(complaint_about("stroke,phase,width_px,x_px,y_px\n1,void,3,1,2\n1,void,5,1,2\n"),
+            "s.csv:3:1: width_px: 5; stroke 1 began with 3; give each stroke a number of its own");
   EXPECT_THAT(complaint_about("stroke,phase,x_px,y_px\n"), HasSubstr("no strokes"));
 }
 
@@ -82,6 +84,12 @@ TEST(StrokeList, MistakesOfFeaturesAreNamed) {
           R"([{"properties": {"phase": "void", "width": "x"}, "geometry": {"type": "Point", "coordinates": [1, 2]}}])"),
       HasSubstr("its property width must be a number of pixels"));
   EXPECT_THAT(about("[]"), HasSubstr("no strokes"));
+  EXPECT_THAT(about(R"([{"properties": {"classification": {"name": 3}}, "geometry": {}}])"),
+              HasSubstr("feature 1: no phase"));
+  EXPECT_THAT(about(std::string(33, '[') + std::string(33, ']')), HasSubstr("brackets deeper than 32"));
+  EXPECT_THAT(
+      about(R"([{"properties": {"phase": "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[["}, "geometry": {}}])"),
+      HasSubstr("must be the name of a phase"));
 }
 
 }  // namespace stroke_list_test

@@ -24,6 +24,11 @@ std::string message(const std::string& path, std::size_t longest) {
   return test::refusal([&] { (void)app::read_text_file(path, longest); });
 }
 
+TEST(Ending, IsWhatFollowsTheLastDotInSmallLetters) {
+  EXPECT_EQ(app::ending_of("a.b/photo.2.JPG"), ".jpg");
+  EXPECT_EQ(app::ending_of("a.b/photo"), "");
+}
+
 TEST(TextFile, IsReadWhole) {
   const test::TemporaryFolder folder;
   const std::string text = std::string(100'000, 'a') + '\0' + "\r\n";

@@ -4,6 +4,8 @@
 
 namespace words_test {
 
+TEST(Lower, ChangesTheLettersOfEnglishAlone) { EXPECT_EQ(app::lower("PNG \u00c4 2a"), "png \u00c4 2a"); }
+
 TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndSwaps) {
   EXPECT_EQ(app::edit_distance("velocity", "velocity"), 0);
   EXPECT_EQ(app::edit_distance("velocty", "velocity"), 1);

@@ -22,7 +22,9 @@ using specimen::Rgb;
 using specimen::Segmentation;
 using specimen_test::draw_disc;
 using specimen_test::Scratch;
+using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Names = std::vector<std::string>;
 
@@ -79,6 +81,19 @@ TEST(Convert, KeepsThePoresOfADrawing) {
   EXPECT_EQ(converted.segmented.inclusions.size(), 2U);
   EXPECT_EQ(converted.segmented.mask.labels(220, 20), specimen::phase::void_);
   EXPECT_EQ(converted.segmented.mask.labels(120, 120), specimen::phase::mortar);
+}
+
+TEST(Convert, WarnsOfADrawingThatCanBeReadInTwoWays) {
+  specimen::Picture picture;
+  picture.colour = Raster<Rgb>(240, 240, Rgb{200, 180, 140});
+  for (int r = 0; r < 240; ++r)
+    for (int c = 0; c < 120; ++c) picture.colour(r, c) = Rgb{110, 120, 150};
+  ConvertOptions options;
+  options.width = 0.06;
+  options.method = Segmentation::kmeans;
+  const Converted converted = convert_picture(picture, options);
+  EXPECT_THAT(converted.report.warnings,
+              ElementsAre(AllOf(HasSubstr("can be read in two ways"), HasSubstr("class_phases = "))));
 }
 
 class OurLabels : public ::testing::TestWithParam<const char*> {};

@@ -48,6 +48,13 @@ TEST(Doubts, EachKindIsNamed) {
   EXPECT_THAT(doubts_of(specks), ElementsAre(HasSubstr("2,001 aggregates have at most nine pixels each")));
 }
 
+TEST(Doubts, WhatTheConversionWarnedOfComesFirst) {
+  Specimen made = with_stone(0);
+  made.provenance.warnings = {"the picture can be read in two ways"};
+  EXPECT_THAT(doubts_of(made),
+              ElementsAre(HasSubstr("two ways; look at the specimen"), HasSubstr("no aggregate")));
+}
+
 TEST(Doubts, WhatWasAskedForIsNotDoubted) {
   Specimen generated = with_stone(0);
   generated.provenance.source = "generated";

@@ -87,7 +87,7 @@ TEST(SpecimenFile, KeepsNoTimeOfDay) {
   };
   int visited = 0;
   H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, &visited, H5O_INFO_TIME);
-  EXPECT_EQ(visited, 13) << "of 4 groups and 9 datasets";
+  EXPECT_EQ(visited, 14) << "of 4 groups and 10 datasets";
   H5Fclose(file);
 }
 

@@ -12,6 +12,8 @@ using specimen::Rgb;
 Raster<Rgb> one(Rgb colour) { return Raster<Rgb>(1, 1, colour); }
 double channel(Rgb colour, const char* name) { return specimen::channel_of(one(colour), name)(0, 0); }
 
+TEST(ImageColour, IsWrittenAsInAStyleSheet) { EXPECT_EQ(specimen::colour_text({112, 128, 5}), "#708005"); }
+
 TEST(ImageColour, LabOfTheCornersOfTheColourCube) {
   // CIE 1976 from sRGB and D65, as tabulated; the 8-bit codes round to 0.4 in L and 1 in a and b.
   const auto expect_lab = [](Rgb colour, double l, double a, double b) {

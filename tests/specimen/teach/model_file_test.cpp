@@ -102,6 +102,15 @@ TEST(ModelFile, WalksThatWouldNotEndAreRefused) {
   EXPECT_THAT(complaint_of(specimen::encode_model(model)), HasSubstr("a tree without a root"));
 }
 
+TEST(ModelFile, WhatIsNoFileIsNotOpened) {
+  try {
+    (void)specimen::read_model("/dev/zero");
+    FAIL() << "was read";
+  } catch (const specimen::Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is not a regular file"));
+  }
+}
+
 TEST(ModelFile, MissingFileIsNamed) {
   EXPECT_THROW((void)specimen::read_model("/nowhere/m.mesomodel"), specimen::Error);
 }
