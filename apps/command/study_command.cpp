@@ -175,6 +175,7 @@ class StudyCommand : public Command {
   void finish(const WholeStudy& whole, Console& console) const {
     const std::vector<std::string> doubts =
         close_study(input_.folder(), whole.study, whole.members, *whole.results, console);
+    if (const std::string text = inertia_text(*whole.results); !text.empty()) console.warn(text);
     if (json_)
       console.out << json_text(
           study_json(input_.folder(), whole.study, whole.members, *whole.results, doubts));

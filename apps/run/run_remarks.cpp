@@ -129,7 +129,9 @@ std::string inertia_note(const mpm::Result& result, const mpm::Scene& scene) {
   const output::InertiaShares shares = output::inertia_of(output::peak_row(result));
   std::string text;
   if (const std::string found = inertia_phrase(shares); !found.empty())
-    text = "the peak is not that of a slow test: at it " + found;
+    text = (mpm::peak_reached(result) ? "the peak is not that of a slow test: at it "
+                                      : "the largest stress is not that of a slow test: at it ") +
+           found;
   for (const std::string& phrase : {wave_phrase(result), ringing_phrase(result)})
     if (!phrase.empty()) text += (text.empty() ? "" : "; ") + phrase;
   return text.empty() ? text : text + "; " + calmer(shares);

@@ -38,6 +38,7 @@ std::vector<std::string> close_study(const StudyFolder& folder, const Study& stu
                                      const std::vector<Member>& members, const StudyResults& results,
                                      Console& console) {
   std::vector<std::string> doubts = doubts_of(members);
+  if (std::string text = inertia_text(results); !text.empty()) doubts.push_back(std::move(text));
   write_tables(folder, study, members, results);
   write_study_report(folder, study, members, results, doubts);
   say_means(study, results, console);

@@ -11,7 +11,8 @@
 
 namespace app {
 
-/// Write tables and report of what has a result, and say the means.   @return the doubts of the specimens.
+/// Write tables and report of what has a result, and say the means.   @return the doubts of the specimens,
+/// and of runs that are no slow tests.
 /// @throws mpm::FileError, specimen::Error (Fault::write) when the disk fails.
 std::vector<std::string> close_study(const StudyFolder& folder, const Study& study,
                                      const std::vector<Member>& members, const StudyResults& results,

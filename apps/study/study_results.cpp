@@ -9,6 +9,7 @@
 
 #include "apps/report/key_figures.hpp"
 #include "apps/report/run_words.hpp"
+#include "apps/run/run_remarks.hpp"
 #include "apps/scene/scene_file.hpp"
 #include "apps/study/study_values.hpp"
 #include "apps/system/hdf5_files.hpp"
@@ -68,8 +69,9 @@ void add_cracks(CrackCount& cracks, const mpm::Result& result) {
     cracks.failures.resize(0, 0);
 }
 
-MemberOutcome outcome_of(mpm::Result result) {
-  MemberOutcome outcome{MemberState::done, {}, {}, result.history.back(), mpm::peak_reached(result)};
+MemberOutcome outcome_of(mpm::Result result, const mpm::Scene& scene) {
+  MemberOutcome outcome{MemberState::done,          {}, {}, result.history.back(), mpm::peak_reached(result),
+                        inertia_note(result, scene)};
   result.history.clear();
   drop_maps(result);
   outcome.figures = std::move(result);
@@ -124,6 +126,15 @@ std::string without_peak_text(const StudyResults& results) {
       without, results.count(MemberState::done));
 }
 
+std::string inertia_text(const StudyResults& results) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = results.outcomes.size(); i-- > 0;)
+    if (!results.outcomes[i].inertia.empty()) ++count, first = i;
+  if (count == 0) return {};
+  return fmt::format("{} of {} members are no slow tests, such as member {}: {}", count,
+                     results.count(MemberState::done), first, results.outcomes[first].inertia);
+}
+
 StudyResults read_results(const StudyFolder& folder, const std::vector<Member>& members) {
   StudyResults results;
   for (const Member& member : members) {
@@ -132,7 +143,7 @@ StudyResults read_results(const StudyFolder& folder, const std::vector<Member>& 
       mpm::Result result = read_member(folder, member);
       results.curves.back() = thinned(result);
       add_cracks(results.cracks, result);
-      results.outcomes.push_back(outcome_of(std::move(result)));
+      results.outcomes.push_back(outcome_of(std::move(result), member.settings->scene));
     } else {
       const std::string reason = folder.failure(member);
       results.outcomes.push_back(

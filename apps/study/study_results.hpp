@@ -23,6 +23,7 @@ struct MemberOutcome {
   mpm::Result figures;       ///< of one that is done, without history and maps
   mpm::HistoryRow end;       ///< last row of its history
   bool peak_reached = true;  ///< its largest stress is a peak
+  std::string inertia = {};  ///< why it is no slow test, see inertia_note(); empty if it is one
 };
 
 /// How often each pixel has failed by the end of a run.
@@ -47,6 +48,9 @@ struct StudyResults {
 
 /// "3 of 20 members reached no peak and count in no statistics; choose ..."; empty where all have one.
 [[nodiscard]] std::string without_peak_text(const StudyResults& results);
+
+/// "3 of 20 members are no slow tests, such as member 4: ..."; empty where all are.
+[[nodiscard]] std::string inertia_text(const StudyResults& results);
 
 /// Read one result after the other; of each some 200 points of the curve are kept, and of the maps their sum.
 /// @throws mpm::FileError for a result that cannot be read, or is that of another scene.

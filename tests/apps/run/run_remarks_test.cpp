@@ -9,6 +9,7 @@
 namespace run_remarks_test {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 app::RunRemarks sample() {
   app::RunRemarks remarks;
@@ -115,6 +116,12 @@ TEST(InertiaNote, GivesTheFigureOfEachShare) {
   const std::string damped = inertia_of({row_of(1e-4, 3e6, 3e6, 0, 0.5)}, 0);
   EXPECT_THAT(damped, HasSubstr("50 % of it went into local damping"));
   EXPECT_THAT(damped, HasSubstr("or solver.local_damping"));
+}
+
+TEST(InertiaNote, CallsNoPeakWhatIsNone) {
+  EXPECT_THAT(inertia_of({row_of(1e-4, 3e6, 1e6)}, 0), StartsWith("the largest stress is not that"));
+  EXPECT_THAT(inertia_of({row_of(1e-4, 3e6, 1e6), row_of(2e-4, 1e5, 1e5)}, 0),
+              StartsWith("the peak is not that"));
 }
 
 TEST(InertiaNote, TellsAWaveFromThePeak) {

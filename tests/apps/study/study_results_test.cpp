@@ -14,6 +14,7 @@ namespace study_results_test {
 
 using namespace app;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 /// A study of three members, into whose folder results are put that were never computed.
 class StudyResultsOf : public testing::Test {
@@ -26,8 +27,13 @@ class StudyResultsOf : public testing::Test {
                               std::regex("\"16 mm\""), "\"1.6 cm\"");
   }
 
-  void put(std::size_t member, int side, int failed) {
+  /// @param motion  share of the work of the platens that is motion.
+  void put(std::size_t member, int side, int failed, double motion = 0) {
     mpm::Result result = test::triangle(3e6, 1e-4);
+    for (mpm::HistoryRow& row : result.history) {
+      row.platen_work = row.elastic = 1;
+      row.kinetic = motion;
+    }
     result.failure_strain = mpm::PixelField<float>::Constant(side, side, std::nanf(""));
     result.failure_mode = mpm::PixelField<std::uint8_t>::Zero(side, side);
     for (int i = 0; i < failed; ++i) result.failure_mode(0, i) = 1;
@@ -122,6 +128,17 @@ TEST_F(StudyResultsOf, LeaveMembersWithoutAPeakOutOfAllStatistics) {
 TEST_F(StudyResultsOf, SayNothingWhereAllHaveAPeak) {
   put(0, 4, 1);
   EXPECT_EQ(without_peak_text(read_results(folder_, members_)), "");
+}
+
+TEST_F(StudyResultsOf, TellHowManyMembersAreNoSlowTests) {
+  put(0, 4, 1);
+  StudyResults results = read_results(folder_, members_);
+  EXPECT_EQ(inertia_text(results), "");
+  put(1, 4, 1, 0.3);
+  put(2, 4, 1, 0.3);
+  results = read_results(folder_, members_);
+  EXPECT_THAT(inertia_text(results),
+              StartsWith("2 of 3 members are no slow tests, such as member 1: the peak is not that of"));
 }
 
 TEST(StudyTable, QuotesTextsThatHoldCommas) {

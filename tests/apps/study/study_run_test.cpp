@@ -170,7 +170,7 @@ TEST_F(StudyRun, AMemberThatDivergesIsAFailure) {
 }
 
 /// In the report, in the figures, and for those who collect what other machines have run.
-TEST_F(StudyRun, WarnsOfPicturesThatAreNoConcrete) {
+TEST_F(StudyRun, WarnsOfPicturesThatAreNoConcreteAndOfFastTests) {
   std::string picture = "P2\n12 12\n2\n";
   for (int row = 0; row < 12; ++row) picture += "2 2 2 2 2 2 2 2 0 0 0 0\n";
   test::write_text(files_ / "a.pgm", picture);
@@ -187,7 +187,8 @@ TEST_F(StudyRun, WarnsOfPicturesThatAreNoConcrete) {
   Console console{nowhere, nowhere, false, true, {}};
   const std::vector<std::string> doubts = close_study(folder_, study_, members_, results, console);
   EXPECT_THAT(doubts, testing::ElementsAre(HasSubstr("33.3 % of the area is void"),
-                                           HasSubstr("there is no aggregate")));
+                                           HasSubstr("there is no aggregate"),
+                                           HasSubstr("2 of 2 members are no slow tests")));
   EXPECT_EQ(study_json(folder_, study_, members_, results, doubts)["warnings"], doubts);
   EXPECT_THAT(test::read_text(folder_.file("report.html").string()), HasSubstr("33.3 % of the area is void"));
 }
