@@ -34,24 +34,28 @@ MPM_INLINE Real between(const Real (&edge)[2]) {
   return (1 - far) * edge[0] + far * edge[1];
 }
 
-/// Not 0 when a point may fail. s1 > T and s3 < -S without a square root: with det = sx sy - sxy^2 and sum =
-/// sx + sy, both principal stresses lie below T exactly when T^2 - T sum + det >= 0 and 2 T - sum >= 0.
-/// Not-a-number is suspect.
+/// The smaller of two; the second if either is not a number.
+template <class Real>
+MPM_INLINE Real smaller(Real a, Real b) {
+  return a < b ? a : b;
+}
+
+/// Not 0 when a point may fail: s1 > T or s3 < -S, without a square root. Both principal stresses lie below T
+/// exactly when T I - s is positive definite: its determinant and one of its diagonal are above 0.
+/// Not-a-number is suspect: it is in the determinant, wherever it comes from.
 template <Check check, class Real, class Node>
 MPM_INLINE Flag<Real> is_suspect(const Stress<Real>& s, const CellRow<Real, Node>& row, std::ptrdiff_t at) {
-  using F = Flag<Real>;
   if constexpr (check == Check::none) return 0;
   const Real tension = Real(row.tension[at]);
-  const Real det = s.xx * s.yy - s.xy * s.xy;
-  const Real sum = s.xx + s.yy;
-  const Real reserve = tension - sum;
-  F suspect = (tension * reserve + det >= 0 ? F(0) : F(1)) | (tension + reserve >= 0 ? F(0) : F(1));
+  const Real square = s.xy * s.xy;
+  const Real reserve = tension - s.xx;
+  Real least = smaller(reserve, reserve * (tension - s.yy) - square);
   if constexpr (check == Check::tension_and_shear) {
     const Real crush = Real(row.crush[at]);
-    const Real depth = crush + sum;
-    suspect |= (crush * depth + det >= 0 ? F(0) : F(1)) | (crush + depth >= 0 ? F(0) : F(1));
+    const Real depth = crush + s.xx;
+    least = smaller(least, smaller(depth, depth * (crush + s.yy) - square));
   }
-  return suspect;
+  return least > 0 ? 0 : 1;
 }
 
 /// Sums over the points of a cell, by row b (of stress along x) and by column a (of stress along y).
@@ -67,17 +71,10 @@ MPM_INLINE Real lateral_ratio(Real lame, Real shear) {
   return lame / (axial > 0 ? axial : Real(1));
 }
 
-/// Stress of point p, already times its stiffness and volume share, added to the sums; returns suspicion.
-template <class Real, int K, int P, bool one_poisson, Check check, bool closure, class Node>
-MPM_INLINE Flag<Real> add_point(const CellRow<Real, Node>& row, const EdgeStrains<Real>& edges, int i,
-                                CellSums<Real, K>& sums) {
-  constexpr int a = P % K;
-  constexpr int b = P / K;
-  const std::ptrdiff_t at = P * row.stride + i;
-  const Real exx = between<K, b>(edges.x_of_ux);
-  const Real eyy = between<K, a>(edges.y_of_uy);
-  const Real gxy = between<K, a>(edges.y_of_ux) + between<K, b>(edges.x_of_uy);
-
+/// Stress of a point for its strains: with one Poisson ratio that of a phase with E = 1.
+template <class Real, bool one_poisson, bool closure, class Node>
+MPM_INLINE Stress<Real> point_stress(const CellRow<Real, Node>& row, Real exx, Real eyy, Real gxy,
+                                     std::ptrdiff_t at) {
   Stress<Real> s;
   if constexpr (one_poisson) {
     s = {row.unit_axial * exx + row.unit_lateral * eyy, row.unit_lateral * exx + row.unit_axial * eyy,
@@ -93,6 +90,20 @@ MPM_INLINE Flag<Real> add_point(const CellRow<Real, Node>& row, const EdgeStrain
     const Real whole = 1 - cracked;
     s = {whole * s.xx + cracked * c.xx, whole * s.yy + cracked * c.yy, whole * s.xy + cracked * c.xy};
   }
+  return s;
+}
+
+/// Stress of point p, already times its stiffness and volume share, added to the sums; returns suspicion.
+template <class Real, int K, int P, bool one_poisson, Check check, bool closure, class Node>
+MPM_INLINE Flag<Real> add_point(const CellRow<Real, Node>& row, const EdgeStrains<Real>& edges, int i,
+                                CellSums<Real, K>& sums) {
+  constexpr int a = P % K;
+  constexpr int b = P / K;
+  const std::ptrdiff_t at = P * row.stride + i;
+  const Real exx = between<K, b>(edges.x_of_ux);
+  const Real eyy = between<K, a>(edges.y_of_uy);
+  const Real gxy = between<K, a>(edges.y_of_ux) + between<K, b>(edges.x_of_uy);
+  const Stress<Real> s = point_stress<Real, one_poisson, closure>(row, exx, eyy, gxy, at);
   const Flag<Real> suspect = is_suspect<check>(s, row, at);
 
   const Real weight = one_poisson ? row.stiffness[at] : Real(1);
@@ -123,22 +134,6 @@ MPM_INLINE Real bending_stiffness(const CellRow<Real, Node>& row, int i) {
   return k;
 }
 
-/// Adds the forces against the two bending modes of a pixel cell, in which its middle is not strained.
-template <class Real, bool one_poisson, bool closure, class Node>
-MPM_INLINE void resist_bending(const CellRow<Real, Node>& row, const EdgeStrains<Real>& edges, int i) {
-  const Real k = bending_stiffness<Real, one_poisson, closure>(row, i);
-  const Real fx = k * (edges.x_of_ux[1] - edges.x_of_ux[0]);
-  const Real fy = k * (edges.x_of_uy[1] - edges.x_of_uy[0]);
-  row.lower.left_x[i] -= fx;
-  row.lower.right_x[i] += fx;
-  row.upper.left_x[i] += fx;
-  row.upper.right_x[i] -= fx;
-  row.lower.left_y[i] -= fy;
-  row.lower.right_y[i] += fy;
-  row.upper.left_y[i] += fy;
-  row.upper.right_y[i] -= fy;
-}
-
 /// Sum over the K rows or columns with the weight of the far and of the near edge.
 template <int K, class Real>
 struct EdgeSums {
@@ -156,7 +151,7 @@ MPM_INLINE EdgeSums<K, Real> edge_sums(const Real (&s)[K]) {
 }
 
 /// One cell: strains, stresses, suspicion and forces of its K x K points.
-template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel, class Node>
+template <class Real, int K, bool one_poisson, Check check, bool closure, class Node>
 MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real, Node>& row, int i) {
   const EdgeStrains<Real> edges = edge_strains<Real>(row, i);
   CellSums<Real, K> sums{};
@@ -177,19 +172,82 @@ MPM_INLINE Flag<Real> sweep_cell(const CellRow<Real, Node>& row, int i) {
   row.lower.right_y[i] = yy.far - xy_row.near;
   row.upper.left_y[i] = xy_row.far - yy.near;
   row.upper.right_y[i] = -yy.far - xy_row.far;
-  if constexpr (pixel) resist_bending<Real, one_poisson, closure>(row, edges, i);
   if constexpr (check != Check::none) row.suspects[i] = suspect;
   return suspect;
+}
+
+/// Twice the mean strains of a cell times its size, and how its edges are bent, of one displacement.
+template <class Real>
+struct CellStrains {
+  Real along_x, along_y, bent;
+};
+
+/// @param a, b, c, d  the displacement at the lower left, lower right, upper left and upper right node.
+template <class Real, class Node>
+MPM_INLINE CellStrains<Real> cell_strains(Node a, Node b, Node c, Node d) {
+  const Real rising = Real(d - a);
+  const Real falling = Real(b - c);
+  const Real along_y = rising - falling;
+  return {rising + falling, along_y, along_y + 2 * Real(a - c)};
+}
+
+/// One pixel cell: the stress at its centre, and the forces against its two bending modes, in which its
+/// centre is not strained. It is written for few operations: they are what takes the time here.
+template <class Real, bool one_poisson, Check check, bool closure, class Node>
+MPM_INLINE Flag<Real> sweep_pixel(const CellRow<Real, Node>& row, int i) {
+  const CellStrains<Real> x =
+      cell_strains<Real>(row.ux_lower[i], row.ux_lower[i + 1], row.ux_upper[i], row.ux_upper[i + 1]);
+  const CellStrains<Real> y =
+      cell_strains<Real>(row.uy_lower[i], row.uy_lower[i + 1], row.uy_upper[i], row.uy_upper[i + 1]);
+  constexpr Real half = Real(0.5);
+  constexpr Real share = one_poisson ? Real(1) : half;  // with one Poisson ratio the units are halved already
+  const Stress<Real> s = point_stress<Real, one_poisson, closure>(row, share * x.along_x, share * y.along_y,
+                                                                  share * (x.along_y + y.along_x), i);
+  const Flag<Real> suspect = is_suspect<check>(s, row, i);
+
+  const Real weight = half * (one_poisson ? row.stiffness[i] : Real(1));
+  const Real xx = weight * s.xx;
+  const Real yy = weight * s.yy;
+  const Real down_x = xx + weight * s.xy;  // of the corner at the lower left
+  const Real down_y = yy + weight * s.xy;
+  const Real side_x = weight * s.xy - xx;  // of that at the lower right
+  const Real side_y = yy - weight * s.xy;
+  const Real k = bending_stiffness<Real, one_poisson, closure>(row, i);
+  row.lower.left_x[i] = down_x - k * x.bent;
+  row.lower.right_x[i] = side_x + k * x.bent;
+  row.upper.left_x[i] = k * x.bent - side_x;
+  row.upper.right_x[i] = -(k * x.bent) - down_x;
+  row.lower.left_y[i] = down_y - k * y.bent;
+  row.lower.right_y[i] = side_y + k * y.bent;
+  row.upper.left_y[i] = k * y.bent - side_y;
+  row.upper.right_y[i] = -(k * y.bent) - down_y;
+  if constexpr (check != Check::none) row.suspects[i] = suspect;
+  return suspect;
+}
+
+template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel, class Node>
+MPM_INLINE Flag<Real> sweep_one(const CellRow<Real, Node>& row, int i) {
+  if constexpr (pixel) return sweep_pixel<Real, one_poisson, check, closure>(row, i);
+  return sweep_cell<Real, K, one_poisson, check, closure>(row, i);
+}
+
+/// Of pixel cells, whose strains come twice as large.
+template <class Real, class Node>
+MPM_INLINE void halve_units(CellRow<Real, Node>& row) {
+  row.unit_axial *= Real(0.5);
+  row.unit_lateral *= Real(0.5);
+  row.unit_shear *= Real(0.5);
 }
 
 // The body of a vector loop is one call: what it declares itself would be kept in memory, lane by lane.
 template <class Real, int K, bool one_poisson, Check check, bool closure, bool pixel, class Node = double>
 Flag<Real> sweep_cells(const CellRow<Real, Node>& row) {
-  const CellRow<Real, Node> in = row;
+  CellRow<Real, Node> in = row;
+  if constexpr (pixel) halve_units(in);
   const int n = in.cells & ~(lane_cells - 1);
   Flag<Real> any = 0;
 #pragma omp simd reduction(| : any)
-  for (int i = 0; i < n; ++i) any |= sweep_cell<Real, K, one_poisson, check, closure, pixel>(in, i);
+  for (int i = 0; i < n; ++i) any |= sweep_one<Real, K, one_poisson, check, closure, pixel>(in, i);
   return any;
 }
 

@@ -25,7 +25,9 @@ class ForceBuffer {
   template <class Value>
   [[nodiscard]] kernels::NodeForces<Value> parts(Value* values) const {
     Value* first = values + kernels::lane_cells;
-    return {first, first + length_, first + 2 * length_, first + 3 * length_};
+    // What stands at the right of node i belongs to cell i - 1: it lies one further, so that nodes read whole
+    // lines.
+    return {first, first + length_ + 1, first + 2 * length_, first + 3 * length_ + 1};
   }
 
   AlignedVector<Real> values_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "libmpm/material/softening.hpp"
 #include "libmpm/run/simulate.hpp"
 #include "libmpm/scene/error.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
