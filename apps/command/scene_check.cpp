@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "apps/job/job.hpp"
+#include "apps/report/fixture_drawing.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/scene/scene_doubt.hpp"
 #include "apps/scene/scene_file.hpp"
@@ -50,6 +51,7 @@ class SceneCheck {
     checked.complaints = std::move(complaints_);
     checked.notes = std::move(notes_);
     if (checked.complaints.empty()) checked.what = words();
+    if (checked.complaints.empty() && is_made) checked.set_up = output::fixture_drawing(mask_, scene_);
     if (const std::string note = note_of_left_out(resolved_.origins, settings_); !note.empty())
       checked.notes.push_back(note);
     return checked;
@@ -161,6 +163,7 @@ class SceneCheck {
     Prepared prepared;
     if (!look([&] { prepared = prepare_cells(settings_); })) return false;
     notes_ = prepared.notes;
+    mask_ = prepared.specimen.mask;
     mpm::Scene scene;
     if (!look([&] { scene = build_scene(prepared.specimen, settings_); })) return false;
     const std::vector<mpm::Error> faults = mpm::faults(scene);
@@ -186,6 +189,7 @@ class SceneCheck {
   Settings settings_;
   SceneDoubt doubt_;
   bool is_whole_ = true;  ///< nothing was left out
+  specimen::LabelledMask mask_;
   mpm::Scene scene_;
   mpm::Plan plan_;
 };

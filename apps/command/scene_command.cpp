@@ -5,7 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/command/command.hpp"
+#include "apps/drawing/drawing_files.hpp"
+#include "apps/scene/input.hpp"
 #include "apps/scene/scene_text.hpp"
+#include "apps/scene/test_scenes.hpp"
 #include "apps/settings/schema.hpp"
 #include "apps/system/files.hpp"
 #include "apps/text/markup.hpp"
@@ -29,6 +32,8 @@ constexpr const char* footer_of_init =
     "The scene can be solved as it is, in seconds. Settings that a first run is about are given, all others "
     "that "
     "have an\neffect stand beside them as comments, with their defaults and what is allowed.\n"
+    "Example: a notched beam in three-point bending, which breaks within a minute\n"
+    "  mesopix scene init beam.toml --test three-point-bending\n"
     "Example: a scene for a photograph of a cut of 40 mm, and a schema with which an editor completes and "
     "checks "
     "keys\n"
@@ -67,6 +72,12 @@ mpm::Direction direction_named(const std::string& word) {
   return settings.scene.loading.direction;
 }
 
+std::vector<std::string> test_names() {
+  std::vector<std::string> names;
+  for (const TestScene& test : test_scenes()) names.push_back(test.name);
+  return names;
+}
+
 class SceneInitCommand : public Command {
  public:
   explicit SceneInitCommand(CLI::App& scene)
@@ -79,6 +90,8 @@ class SceneInitCommand : public Command {
            QuantityCodec{Dimension::length}.form());
     option("--specimen", specimen_, "the specimen is this file, specimen.h5", file_form({"h5"}));
     option("--loading", loading_, "what is done to it [tension]", find_field("loading.direction")->form);
+    option("--test", test_, "a test of the laboratory, ready to run, in place of the others",
+           one_of(test_names()));
     option("--schema", schema_, "write the JSON Schema into this file, and its name into the scene",
            file_form());
     flag("-q,--quiet", quiet_, "say nothing but errors");
@@ -89,7 +102,7 @@ class SceneInitCommand : public Command {
     check_options();
     for (const std::string& input : {picture_, specimen_})
       if (!input.empty()) (void)kind_of_input(input);
-    const std::string text = scene_draft({picture_, width_, specimen_, direction, file(), schema_});
+    const std::string text = scene_draft({picture_, width_, specimen_, direction, test_, file(), schema_});
     write_schema();
     mpm::replace_file(file(), text);
     console.say("wrote " + file());
@@ -106,6 +119,11 @@ class SceneInitCommand : public Command {
     };
     if (!argument_.empty() && !output_.empty()) refuse("--output", "FILE");
     if (!picture_.empty() && !specimen_.empty()) refuse("--specimen", "--picture");
+    for (const auto& [option, value] :
+         {std::pair{"--picture", &picture_}, std::pair{"--specimen", &specimen_},
+          std::pair{"--loading", &loading_}, std::pair{"--width", &width_}})
+      if (!test_.empty() && !value->empty()) refuse(option, "--test");
+    if (!test_.empty()) (void)test_scene_named(test_);
     if (!width_.empty() && picture_.empty())
       throw Rejected(Exit::usage, "--width", width_, "is that of a picture, and none is given",
                      "add --picture, or change generate.width in the scene");
@@ -135,6 +153,7 @@ class SceneInitCommand : public Command {
   std::string width_;
   std::string specimen_;
   std::string loading_;
+  std::string test_;
   std::string schema_;
 };
 
@@ -144,11 +163,19 @@ class SceneCheckCommand : public Command {
       : Command(scene, "check", "Tell all that is wrong with scenes and studies", footer_of_check) {
     option("FILE...", files_, "scene.toml, or study.toml", file_form({"toml"}));
     flag("--json", json_, "mistakes as a list in JSON");
+    option("--picture", picture_,
+           "draw the specimen with its supports, loads and gauges, where nothing is wrong",
+           file_form({"svg", "png", "pdf"}));
     flag("-q,--quiet", quiet_, "say nothing of files in which nothing is wrong");
   }
 
   Exit run(Console& console) override {
     require(files_.empty() ? "" : files_.front(), "FILE", "mesopix scene check FILE");
+    const std::string ending = fs::path(picture_).extension().string();
+    if (!picture_.empty() && ending != ".svg" && ending != ".png" && ending != ".pdf")
+      throw Rejected(Exit::usage, "--picture", picture_, "must end in .svg, .png or .pdf");
+    if (!picture_.empty() && files_.size() > 1)
+      throw Rejected(Exit::usage, "--picture", picture_, "is of one scene", "give one FILE");
     std::vector<CheckedFile> checked;
     for (const std::string& file : files_) checked.push_back(check_file(file));
     if (json_) console.out << json_text(complaints_json(checked));
@@ -160,12 +187,27 @@ class SceneCheckCommand : public Command {
       if (one.complaints.empty() && !json_ && !quiet_)
         console.out << printable(one.file + ": " + one.what) << '\n';
       if (!one.readable) code = Exit::io;
+      if (!picture_.empty() && one.complaints.empty()) draw(one, console);
       if (!one.complaints.empty() && code == Exit::ok) code = Exit::data;
     }
     return code;
   }
 
  private:
+  void draw(const CheckedFile& checked, Console& console) const {
+    if (!checked.set_up)
+      throw Rejected(Exit::usage, "--picture", picture_, "needs a scene", "give one scene and no study");
+    const std::string ending = fs::path(picture_).extension().string();
+    mpm::replace_file(picture_,
+                      ending == ".png"
+                          ? output::png_of(*checked.set_up, 2)
+                          : output::vector_file(
+                                *checked.set_up,
+                                ending == ".pdf" ? output::VectorFormat::pdf : output::VectorFormat::svg, 0));
+    console.say("wrote " + picture_);
+  }
+
+  std::string picture_;
   std::vector<std::string> files_;
 };
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "apps/drawing/drawing.hpp"
 #include "apps/text/complaint.hpp"
 
 namespace app {
@@ -13,8 +15,9 @@ struct CheckedFile {
   std::string file;
   std::vector<Complaint> complaints;  ///< in the order of the file; none: it can be solved
   bool readable = true;
-  std::string what;                ///< what it is, in one line; where nothing is wrong
-  std::vector<std::string> notes;  ///< on the specimen, one sentence each
+  std::string what;                       ///< what it is, in one line; where nothing is wrong
+  std::vector<std::string> notes;         ///< on the specimen, one sentence each
+  std::optional<output::Drawing> set_up;  ///< of a scene in which nothing is wrong
 };
 
 /// Read the file, make its specimen and plan its run; of a study, those of its scene and of all members.

@@ -7,6 +7,7 @@
 
 #include "apps/system/job_pool.hpp"
 #include "apps/text/complaint.hpp"
+#include "apps/text/quantity.hpp"
 #include "apps/text/words.hpp"
 #include "specimen/describe/doubts.hpp"
 
@@ -173,7 +174,7 @@ void check_connection(const mpm::Scene& scene) {
 
 /// That the parts of a specimen have yet to meet.
 std::vector<std::string> notes_on_parts(const mpm::Scene& scene) {
-  if (scene.loading.direction == mpm::Direction::none) return {};
+  if (scene.loading.direction == mpm::Direction::none || scene.fixture.has_loads()) return {};
   const std::string where = where_parted(scene);
   if (where.empty()) return {};
   return {
@@ -183,16 +184,26 @@ std::vector<std::string> notes_on_parts(const mpm::Scene& scene) {
 }
 
 /// The paper's ITZ: a material point at each corner of each ring; corners outside the specimen are left out.
-std::vector<mpm::ExtraPoint> itz_points(const specimen::Specimen& specimen) {
+std::vector<mpm::ExtraPoint> itz_points(const specimen::Specimen& specimen, const std::vector<Cut>& cuts) {
   std::vector<mpm::ExtraPoint> points;
   if (specimen.itz.mode != specimen::ItzMode::points) return points;
   const double width = specimen.mask.width();
   const double height = specimen.mask.height();
   for (const specimen::Ring& ring : specimen.rings)
     for (const specimen::Point& vertex : ring.vertices)
-      if (vertex.x >= 0 && vertex.x <= width && vertex.y >= 0 && vertex.y <= height)
+      if (vertex.x >= 0 && vertex.x <= width && vertex.y >= 0 && vertex.y <= height &&
+          !is_cut_out(vertex.x, vertex.y, cuts))
         points.push_back({vertex.x, vertex.y, specimen::phase::itz});
   return points;
+}
+
+/// The displacement at which a run ends, over the height of its specimen.
+double stop_strain_of(double displacement, const mpm::Scene& scene) {
+  const double strain = displacement / scene.height();
+  if (strain < 1) return strain;
+  throw Rejected(
+      Exit::data, "loading.stop_displacement", format_quantity(displacement, Dimension::length),
+      "must be less than the specimen is high, " + format_quantity(scene.height(), Dimension::length));
 }
 
 }  // namespace
@@ -229,10 +240,12 @@ mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& setti
   scene.labels = lattice_of(specimen.mask.labels);
   scene.pixel_size = specimen.mask.pixel_size;
   scene.phases = phases_of(specimen, settings);
-  scene.extra_points = itz_points(specimen);
+  scene.extra_points = itz_points(specimen, settings.cuts);
+  if (settings.stop_displacement)
+    scene.loading.stop_strain = stop_strain_of(*settings.stop_displacement, scene);
   if (const auto complaints = flight_complaints(scene.loading); !complaints.empty())
     throw Rejected(Exit::data, complaints);
-  if (scene.loading.direction != mpm::Direction::none) {
+  if (scene.loading.direction != mpm::Direction::none && !scene.fixture.has_loads()) {
     check_edges(scene);
     check_connection(scene);
   }
@@ -240,7 +253,7 @@ mpm::Scene build_scene(const specimen::Specimen& specimen, const Settings& setti
 }
 
 mpm::Scene build_elastic_scene(const specimen::Specimen& specimen, const Settings& settings) {
-  if (!itz_points(specimen).empty())
+  if (!itz_points(specimen, settings.cuts).empty())
     throw Rejected(Exit::data, "itz.mode", "points", "the stiffness of a specimen needs the ITZ as pixels",
                    "choose itz.mode ring");
   mpm::Scene scene;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -108,11 +109,43 @@ void settle_source(Settings& settings) {
   if (!choice.picture.empty()) pin(choice.picture, choice.sha256);
 }
 
-Prepared prepare_specimen(specimen::Picture picture, const Settings& settings) {
-  return with_rings(specimen::convert_picture(std::move(picture), conversion_of(settings)), settings);
+bool is_cut_out(double x, double y, const std::vector<Cut>& cuts) {
+  return std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
+    const auto& r = cut.rectangle;
+    const auto& c = cut.circle;
+    const bool inside = (!r.empty() && x >= r[0] && x < r[0] + r[2] && y >= r[1] && y < r[1] + r[3]) ||
+                        (!c.empty() && std::hypot(x - c[0], y - c[1]) < c[2]);
+    return inside != cut.keeps_inside;
+  });
 }
 
-Prepared prepare_specimen(const Settings& settings, specimen::SizeListener before_pixels) {
+namespace {
+
+void check_cuts(const std::vector<Cut>& cuts) {
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    if (cuts[i].rectangle.empty() == cuts[i].circle.empty())
+      throw Rejected(Exit::data, "cuts[" + std::to_string(i + 1) + "]",
+                     cuts[i].circle.empty() ? "neither rectangle nor circle" : "rectangle and circle",
+                     "a cut is one of them", "give one of the two");
+}
+
+/// Pixels whose centre lies in a cut become void.
+Prepared with_cuts(Prepared prepared, const std::vector<Cut>& cuts) {
+  check_cuts(cuts);
+  if (cuts.empty()) return prepared;
+  specimen::LabelledMask& mask = prepared.specimen.mask;
+  const auto nothing = std::find(mask.phases.begin(), mask.phases.end(), "void");
+  if (nothing == mask.phases.end())
+    throw Rejected(Exit::data, "cuts", "in a specimen without void", "a cut leaves void, phase 0");
+  const auto label = static_cast<std::uint8_t>(nothing - mask.phases.begin());
+  for (int row = 0; row < mask.labels.rows; ++row)
+    for (int col = 0; col < mask.labels.cols; ++col)
+      if (is_cut_out((col + 0.5) * mask.pixel_size, (mask.labels.rows - row - 0.5) * mask.pixel_size, cuts))
+        mask.labels(row, col) = label;
+  return prepared;
+}
+
+Prepared uncut(const Settings& settings, specimen::SizeListener before_pixels) {
   switch (source_of(settings)) {
     case Source::generated:
       return generate(settings);
@@ -126,6 +159,18 @@ Prepared prepare_specimen(const Settings& settings, specimen::SizeListener befor
       return {read_specimen(settings.specimen.file), {}, {}};
   }
   return {};
+}
+
+}  // namespace
+
+Prepared prepare_specimen(specimen::Picture picture, const Settings& settings) {
+  return with_cuts(
+      with_rings(specimen::convert_picture(std::move(picture), conversion_of(settings)), settings),
+      settings.cuts);
+}
+
+Prepared prepare_specimen(const Settings& settings, specimen::SizeListener before_pixels) {
+  return with_cuts(uncut(settings, std::move(before_pixels)), settings.cuts);
 }
 
 namespace {

@@ -37,6 +37,9 @@ struct Prepared {
 /// is called, and the SHA-256 of its pixels.   @throws specimen::Error.
 [[nodiscard]] Prepared prepare_specimen(specimen::Picture picture, const Settings& settings);
 
+/// Whether a place of the specimen lies in a cut; x, y from its lower left corner [m].
+[[nodiscard]] bool is_cut_out(double x, double y, const std::vector<Cut>& cuts);
+
 /// Endings of the names of files that can be written: .h5 and those of label pictures.
 /// @throws Rejected (Exit::usage) for another ending, and for a file that would overwrite `input`.
 void check_output(const std::string& path, const std::string& input);

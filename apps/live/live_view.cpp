@@ -43,7 +43,7 @@ std::string watching_html(const RunRecord& record, const Stage& stage) {
 }
 
 std::string watching_update(const RunRecord& record, const Stage& stage) {
-  const Json csv = record.goes_on ? Json(nullptr) : Json(deflated_base64(curve_csv(record.result.history)));
+  const Json csv = record.goes_on ? Json(nullptr) : Json(deflated_base64(curve_csv(record)));
   return inert_text({{"number", stage.number},
                      {"fraction", stage.fraction},
                      {"words", stage.words},

@@ -250,6 +250,7 @@ std::string scene_man_page(const std::string& scene) {
   write_types(page);
   page.section("TABLES AND KEYS");
   for (const TableWords& table : scene_tables()) write_table(page, table);
+  for (const TableWords& list : list_tables()) write_table(page, list);
   page.subsection("[[ellipses]]");
   page.paragraph(roff(about_ellipses()));
   page.section("EXAMPLE");

@@ -147,6 +147,12 @@ std::string scene_page(const std::string& scene) {
     for (const SettingWords& setting : table.settings) page += setting_row(setting);
     page += "\n";
   }
+  for (const TableWords& list : list_tables()) {
+    page += "## `[" + list.name + "]`\n\n" + plain(list.title) + "\n\n" +
+            table_head({"Key", "Type", "Default", "Allowed", "Meaning"});
+    for (const SettingWords& setting : list.settings) page += setting_row(setting);
+    page += "\n";
+  }
   return page + "## `[[ellipses]]`\n\n" + plain(about_ellipses()) + "\n";
 }
 

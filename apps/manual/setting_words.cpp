@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/scene/ellipse_list.hpp"
+#include "apps/settings/scene_lists.hpp"
 #include "apps/text/words.hpp"
 
 namespace manual {
@@ -60,6 +61,20 @@ std::vector<TableWords> scene_tables() {
     table.name = "phases.NAME";
     for (const app::PhaseField& property : app::phase_fields())
       table.settings.push_back(words_of(property, phase_defaults(property)));
+  }
+  return tables;
+}
+
+std::vector<TableWords> list_tables() {
+  std::vector<TableWords> tables;
+  const app::Settings defaults;
+  for (const app::SceneList& list : app::scene_lists()) {
+    tables.push_back({"[" + list.name + "]", list.help, {}});
+    for (const app::Field& field : list.fields(0)) {
+      const bool is_required = std::find(list.required.begin(), list.required.end(),
+                                         app::leaf_of(field.key)) != list.required.end();
+      tables.back().settings.push_back(words_of(field, is_required ? "" : default_of(field.get(defaults))));
+    }
   }
   return tables;
 }

@@ -26,6 +26,9 @@ struct TableWords {
 /// All tables with all keys, in the order in which they are written.
 [[nodiscard]] std::vector<TableWords> scene_tables();
 
+/// Lists of tables, as [[loads]]; the name is in single brackets, the title a sentence.
+[[nodiscard]] std::vector<TableWords> list_tables();
+
 /// Paragraphs on what a scene file is, and on ellipses that stand in it.
 [[nodiscard]] std::vector<std::string> about_scenes();
 [[nodiscard]] std::string about_ellipses();

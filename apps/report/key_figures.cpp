@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "apps/drawing/damage_picture.hpp"
 #include "apps/text/figures.hpp"
@@ -45,6 +46,35 @@ std::string curve_csv(const std::vector<mpm::HistoryRow>& history) {
     csv += line([&](const mpm::HistoryColumn& column) {
       return std::visit([&](auto member) { return cell(row.*member); }, column.member);
     });
+  return csv;
+}
+
+double leading_force(const mpm::Scene& scene, double stress) {
+  return stress * scene.width() * scene.fixture.thickness;
+}
+
+double leading_displacement(const mpm::Scene& scene, double strain) { return strain * scene.height(); }
+
+std::string curve_csv(const RunRecord& record) {
+  const std::string plain = curve_csv(record.result.history);
+  const bool has_loads = record.scene.fixture.has_loads();
+  const auto& gauges = record.result.gauges;
+  if (!has_loads && gauges.empty()) return plain;
+  std::istringstream lines(plain);
+  std::string csv, line;
+  std::getline(lines, line);
+  csv = line + (has_loads ? ",displacement_m,force_N" : "");
+  for (const mpm::GaugeReadings& gauge : gauges) csv += "," + column_title(gauge.name, "m");
+  csv += '\n';
+  for (std::size_t i = 0; std::getline(lines, line); ++i) {
+    csv += line;
+    const mpm::HistoryRow& row = record.result.history[i];
+    if (has_loads)
+      csv += "," + cell(leading_displacement(record.scene, row.strain)) + "," +
+             cell(leading_force(record.scene, row.stress));
+    for (const mpm::GaugeReadings& gauge : gauges) csv += "," + cell(gauge.values[i]);
+    csv += '\n';
+  }
   return csv;
 }
 

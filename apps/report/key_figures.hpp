@@ -34,6 +34,14 @@ struct InertiaShares {
 /// stress_Pa, platen_work_J_per_m ...). Numbers read back as the same doubles, in any locale.
 [[nodiscard]] std::string curve_csv(const std::vector<mpm::HistoryRow>& history);
 
+/// The same with what a fixture adds: displacement_m and force_N of the leading load, and a column for each
+/// gauge, NAME_m.
+[[nodiscard]] std::string curve_csv(const RunRecord& record);
+
+/// Force of the leading load [N] at a stress [Pa], its displacement [m] at a strain [-].
+[[nodiscard]] double leading_force(const mpm::Scene& scene, double stress);
+[[nodiscard]] double leading_displacement(const mpm::Scene& scene, double strain);
+
 struct FailureCount {
   std::string phase;
   std::int64_t points = 0;   ///< pixels of the phase, or extra points

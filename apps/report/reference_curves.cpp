@@ -130,6 +130,7 @@ std::vector<Series> in_compression(const RunRecord& record, double strength) {
 }  // namespace
 
 std::vector<Series> reference_series(const RunRecord& record) {
+  if (record.scene.fixture.has_loads()) return {};
   const double strength = record.result.peak_stress;
   if (!has_platens(record.scene) || !mpm::peak_reached(record.result) || record.result.history.size() < 2)
     return {};

@@ -230,7 +230,7 @@ std::string report_data(const RunRecord& record) {
   Json charts = charts_of_run(record);
   add_standing(charts, "sieve",
                [&] { return chart_json(sieve_chart(record.specimen), sieve_references(record.specimen)); });
-  const Json csv = record.goes_on ? Json(nullptr) : Json(deflated_base64(curve_csv(record.result.history)));
+  const Json csv = record.goes_on ? Json(nullptr) : Json(deflated_base64(curve_csv(record)));
   Json all{{"strain", strain_json(record)}, {"csv", csv}, {"charts", std::move(charts)}, {"film", nullptr}};
   if (has_film(record)) add_standing(all, "film", [&] { return film_data(record); });
   if (!all.contains("film")) all["film"] = nullptr;

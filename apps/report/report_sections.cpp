@@ -6,7 +6,9 @@
 #include "apps/drawing/damage_picture.hpp"
 #include "apps/text/words.hpp"
 
+#include "apps/drawing/drawing_files.hpp"
 #include "apps/drawing/ticks.hpp"
+#include "apps/report/fixture_drawing.hpp"
 #include "apps/report/key_figures.hpp"
 #include "apps/report/report_parts.hpp"
 #include "apps/report/run_charts.hpp"
@@ -208,6 +210,12 @@ std::string curve_section(const RunRecord& record) {
 std::string specimen_section(const RunRecord& record) {
   std::string html =
       side_by_side("fit", specimen_picture(record.specimen.mask), facts_table(specimen_facts(record)));
+  const mpm::Fixture& fixture = record.scene.fixture;
+  if (fixture.has_loads() || !fixture.gauges.empty())
+    html +=
+        "<figure class=\"chart\">\n" + svg_of(fixture_drawing(record.specimen.mask, record.scene)) +
+        "<figcaption>The set-up: triangles hold, arrows move, dots are the ends of gauges; a line below a "
+        "triangle says that it slides.</figcaption>\n</figure>\n";
   const Chart sieve = sieve_chart(record.specimen);
   if (!sieve.series.empty())
     html += chart_figure("sieve", sieve, 590, 330,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/drawing/ticks.hpp"
+#include "apps/report/key_figures.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/words.hpp"
@@ -95,7 +96,44 @@ Series stress_series(const std::string& name, Ink ink, const mpm::Result& result
           column(result.history, [](const HistoryRow& row) { return 1e-6 * row.stress; }), ink};
 }
 
+namespace {
+
+/// Force of the leading load against the gauge that controls the run, or else against its displacement.
+Chart force_chart(const RunRecord& record) {
+  const mpm::Result& result = record.result;
+  const auto& rows = result.history;
+  const auto force = [&](const HistoryRow& row) { return 1e-3 * leading_force(record.scene, row.stress); };
+  const auto& gauges = record.scene.fixture.gauges;
+  const auto control =
+      std::find_if(gauges.begin(), gauges.end(), [](const auto& one) { return one.controls; });
+  std::vector<double> x = column(
+      rows, [&](const HistoryRow& row) { return 1e3 * leading_displacement(record.scene, row.strain); });
+  std::string name = "Displacement of the load";
+  if (control != gauges.end()) {
+    name = control->name;
+    x = result.gauges[static_cast<std::size_t>(control - gauges.begin())].values;
+    for (double& value : x) value *= 1e3;
+  }
+  Chart chart{"Force against " + (control != gauges.end() ? name : "displacement"),
+              {name, "mm"},
+              {"Force", "kN"},
+              {},
+              {}};
+  const std::vector<double> y = column(rows, force);
+  chart.series.push_back({"force", x, y, Ink::first});
+  if (result.peak_stress > 0) {
+    const auto at = static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
+    chart.markers.push_back({x[at], y[at],
+                             (mpm::peak_reached(result) ? "peak " : "no peak: largest ") + rounded(y[at]) +
+                                 " kN at " + rounded(x[at]) + " mm"});
+  }
+  return chart;
+}
+
+}  // namespace
+
 Chart stress_chart(const RunRecord& record) {
+  if (record.scene.fixture.has_loads()) return force_chart(record);
   const mpm::Result& result = record.result;
   const StrainUnit unit = strain_unit(result);
   Chart chart{"Stress against strain in " + name_of_loading(record.scene),

@@ -87,14 +87,33 @@ std::string transfer_name(const mpm::Motion& motion) {
 bool has_platens(const mpm::Scene& scene) { return scene.loading.direction != mpm::Direction::none; }
 
 std::string name_of_loading(const mpm::Scene& scene) {
+  if (scene.fixture.has_loads()) return "a test with loads";
   if (has_platens(scene)) return word_of(scene.loading.direction);
   return walls(scene.motion).empty() ? "flight" : "impact";
 }
 
+namespace {
+
+/// "3 supports, 1 load, 2 gauges".
+std::string fixture_words(const mpm::Fixture& fixture) {
+  const auto count = [](std::size_t number, const char* what) {
+    return app::counted(static_cast<std::int64_t>(number), what);
+  };
+  std::string words = "test with " + count(fixture.supports.size(), "support") + " and " +
+                      count(fixture.loads.size(), "load");
+  if (const mpm::Gauge* gauge = fixture.controlling()) words += " controlled by " + gauge->name;
+  return words;
+}
+
+}  // namespace
+
 std::string setting_of_loading(const mpm::Scene& scene) {
   const mpm::Loading& loading = scene.loading;
   if (scene.method == mpm::SolverMethod::quasi_static)
-    return fmt::format("quasi-static {}, {} platens{}", name_of_loading(scene), word_of(loading.platen),
+    return fmt::format("quasi-static {}{}",
+                       scene.fixture.has_loads()
+                           ? fixture_words(scene.fixture)
+                           : name_of_loading(scene) + ", " + word_of(loading.platen) + " platens",
                        loading.path == mpm::LoadingPath::snap_back ? " that may go back" : "");
   if (has_platens(scene))
     return fmt::format("{} at {} m/s, {} platens{}", name_of_loading(scene), concise(loading.velocity),
@@ -106,14 +125,20 @@ std::string setting_of_loading(const mpm::Scene& scene) {
 }
 
 std::string name_of_strain(const mpm::Scene& scene) {
+  if (scene.fixture.has_loads()) return "displacement over height";
   return has_platens(scene) ? "platen strain" : "nominal strain";
 }
 
 std::string name_of_stress(const mpm::Scene& scene) {
+  if (scene.fixture.has_loads()) return "force over width";
   return has_platens(scene) ? "stress" : "stress on the walls";
 }
 
 std::string meaning_of_curve(const mpm::Scene& scene) {
+  if (scene.fixture.has_loads())
+    return "Force is that of the leading load, for a specimen as thick as loading.thickness. Peak stress and "
+           "strain in the table are this force over the area of a cut along x, and the displacement of the "
+           "load over the height.";
   if (has_platens(scene))
     return "Stress is the mean of the reactions of both platens over the width; strain is the displacement "
            "of the platens over the height. The secant modulus is taken where the stress first reaches 40 % "

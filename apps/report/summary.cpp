@@ -1,5 +1,6 @@
 // summary.json.
 #include <fmt/format.h>
+#include <algorithm>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -69,6 +70,7 @@ json loading_of(const mpm::Scene& scene) {
     return {{"direction", output::word_of(loading.direction)},
             {"initial_velocity_x_m_per_s", loading.initial_velocity_x},
             {"initial_velocity_y_m_per_s", loading.initial_velocity_y}};
+  if (scene.fixture.has_loads()) return {{"direction", "loads"}, {"path", output::word_of(loading.path)}};
   json all{{"direction", output::word_of(loading.direction)},
            {"platen", output::word_of(loading.platen)},
            {"separation", loading.separation}};
@@ -76,6 +78,28 @@ json loading_of(const mpm::Scene& scene) {
     all["velocity_m_per_s"] = loading.velocity;
   else
     all["path"] = output::word_of(loading.path);
+  return all;
+}
+
+/// What the leading load and the gauges read at the largest force, and at the end.
+json fixture_of(const RunRecord& record) {
+  const auto& rows = record.result.history;
+  const auto at = static_cast<std::size_t>(
+      std::max_element(rows.begin(), rows.end(),
+                       [](const auto& a, const auto& b) { return a.stress < b.stress; }) -
+      rows.begin());
+  json all = json::object();
+  if (record.scene.fixture.has_loads())
+    all = {{"largest_force_N", output::leading_force(record.scene, rows[at].stress)},
+           {"displacement_at_largest_force_m", output::leading_displacement(record.scene, rows[at].strain)},
+           {"end_force_N", output::leading_force(record.scene, rows.back().stress)},
+           {"end_displacement_m", output::leading_displacement(record.scene, rows.back().strain)},
+           {"thickness_m", record.scene.fixture.thickness}};
+  if (record.result.gauges.empty()) return all;
+  all["gauges"] = json::array();
+  for (const mpm::GaugeReadings& gauge : record.result.gauges)
+    all["gauges"].push_back(
+        {{"name", gauge.name}, {"at_largest_force_m", gauge.values[at]}, {"end_m", gauge.values.back()}});
   return all;
 }
 
@@ -153,6 +177,7 @@ json summary(const RunRecord& record) {
     all.update(inertia_of(record.result));
   all.update(setting_of(record.scene));
   all.update(loading_of(record.scene));
+  if (!record.result.history.empty()) all.update(fixture_of(record));
   all["specimen"] = specimen_of(record.specimen);
   all["failures_by_phase"] = failures_of(record);
   all["damage_pictures"] = pictures_of(record.result);

@@ -143,7 +143,7 @@ void write_rest(const fs::path& folder, const RunRecord& record, Attempts& attem
   const auto text = [&](const char* name, const auto& made) {
     attempt([&] { write_text(folder / name, made()); });
   };
-  text("curve.csv", [&] { return output::curve_csv(record.result.history); });
+  text("curve.csv", [&] { return output::curve_csv(record); });
   text("summary.json",
        [&] { return summary(record).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; });
   text("scene.toml", [&] { return record.scene_toml; });

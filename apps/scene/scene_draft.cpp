@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "apps/scene/test_scenes.hpp"
+#include "apps/settings/scene_lists.hpp"
 #include "apps/settings/schema.hpp"
 #include "apps/system/hdf5_files.hpp"
 #include "apps/text/complaint.hpp"
@@ -90,6 +92,12 @@ std::string subject(const DraftWish& wish, const char* without_file) {
 class Draft {
  public:
   explicit Draft(const DraftWish& wish) : folder_(fs::path(wish.file).parent_path()) {
+    if (!wish.test.empty()) {
+      const TestScene& test = test_scene_named(wish.test);
+      give(test.settings);
+      give({{"output.title", test.title}});
+      return;
+    }
     give(of_source(wish));
     const DraftLoading loading = loading_of(wish.direction);
     give(loading.settings);
@@ -103,6 +111,7 @@ class Draft {
     for (const Group& group : groups())
       text +=
           group.name == "phases" ? phase_tables() : table(group.title, group.name, group_lines(group.name));
+    for (const SceneList& list : scene_lists()) text += item_tables(list);
     return text;
   }
 
@@ -165,6 +174,19 @@ class Draft {
     return lines;
   }
 
+  /// The tables of a list, each with what it gives and what it could.
+  [[nodiscard]] std::string item_tables(const SceneList& list) const {
+    std::string text;
+    for (std::size_t i = 0; i < list.size(settings_); ++i) {
+      text += i == 0 ? "\n# " + list.help + "\n" : "\n";
+      text += "[[" + list.name + "]]\n";
+      for (const Field& field : list.fields(i))
+        if (const Value value = field.get(settings_); !is_empty_text(value) && !is_empty_list(value))
+          text += line(field, value, "", given_.count(field.key) > 0);
+    }
+    return text;
+  }
+
   [[nodiscard]] std::string phase_tables() const {
     std::string text;
     for (const mpm::Phase& phase : settings_.phases) {
@@ -172,7 +194,8 @@ class Draft {
       std::string lines;
       for (const PhaseField& property : phase_fields())
         lines += line(property, property.get(phase), "",
-                      is_new || property.key == "young" || property.key == "tensile_scale");
+                      is_new || property.key == "young" || property.key == "tensile_scale" ||
+                          given_.count("phases." + phase.name + "." + property.key) > 0);
       text += table("Phase " + phase.name + (is_new ? ": as mortar; give what it is made of" : ""),
                     "phases." + phase.name, lines);
     }
@@ -197,9 +220,12 @@ std::string schema_line(const DraftWish& wish) {
 std::string scene_draft(const DraftWish& wish) {
   const Draft draft(wish);
   const std::string name = printable(fs::path(wish.file).filename().string());
+  const std::string about = wish.test.empty()
+                                ? subject(wish, "random aggregates") + " " + loading_of(wish.direction).words
+                                : test_scene_named(wish.test).title;
   return schema_line(wish) +
          fmt::format(
-             "# A scene of mesopix {}: {} {}.\n"
+             "# A scene of mesopix {}: {}.\n"
              "#   mesopix scene check {}\n"
              "#   mesopix simulate {}\n"
              "# Lines like #key = value show what holds without them; take the # away to change it. "
@@ -208,7 +234,7 @@ std::string scene_draft(const DraftWish& wish) {
              "with a unit, ratios numbers or\n"
              "# texts with %. Tables that have no effect on this scene are left out: mesopix simulate "
              "--help tells of all.\n",
-             version(), subject(wish, "random aggregates"), loading_of(wish.direction).words, name, name) +
+             version(), about, name, name) +
          draft.tables();
 }
 

@@ -7,6 +7,7 @@
 
 #include "apps/scene/ellipse_list.hpp"
 #include "apps/scene/toml.hpp"
+#include "apps/settings/scene_lists.hpp"
 #include "apps/system/files.hpp"
 
 namespace app {
@@ -23,6 +24,8 @@ class Walk {
       const std::string name(key.str());
       if (name == "ellipses")
         ellipses(node);
+      else if (const SceneList* list = find_list(name))
+        items(*list, node);
       else if (const auto* group = node.as_table(); group != nullptr && is_group(name))
         name == "phases" ? phases(*group) : settings(*group, name + ".");
       else
@@ -76,6 +79,27 @@ class Walk {
         unknown(key, full);
       else
         assign(full, field->form.kind, node);
+    }
+  }
+
+  void items(const SceneList& list, const toml::node& node) {
+    const auto* array = node.as_array();
+    if (array == nullptr ||
+        !std::all_of(array->begin(), array->end(), [](const toml::node& item) { return item.is_table(); }))
+      return complain(node.source(), list.name, "not a list of tables",
+                      fmt::format("write [[{}]] and below it {}", list.name, listed(item_keys(list), "and")));
+    if (array->size() > most_items)
+      return complain(node.source(), list.name, fmt::format("{} tables", array->size()),
+                      fmt::format("must be at most {}", most_items));
+    int number = 0;
+    for (const toml::node& item : *array) {
+      const std::string name = fmt::format("{}[{}]", list.name, ++number);
+      const toml::table& table = *item.as_table();
+      settings(table, name + ".");
+      for (const std::string& key : list.required)
+        if (!table.contains(key))
+          complain(table.source(), name, key + " is missing",
+                   list.item + " needs " + listed(list.required, "and"));
     }
   }
 
@@ -165,7 +189,9 @@ namespace {
 /// Lay over the settings what was given, and remember where.
 /// The strain at which a run ends that was not told: beyond the peak of concrete. A run that ends when the
 /// stress drops has more room, which costs it nothing.
-double usual_stop_strain(const mpm::Loading& loading) {
+double usual_stop_strain(const mpm::Scene& scene) {
+  const mpm::Loading& loading = scene.loading;
+  if (scene.fixture.has_loads()) return 1e-2;
   if (loading.direction == mpm::Direction::compression) return loading.stop_drop ? 1e-2 : 4e-3;
   return loading.direction == mpm::Direction::tension && loading.stop_drop ? 1e-3
                                                                            : mpm::Loading{}.stop_strain;
@@ -175,7 +201,10 @@ void lay_over(const std::vector<Assignment>& given, Resolved& resolved, std::vec
   apply(given, resolved.settings, complaints);
   for (const Assignment& one : given) resolved.origins.insert_or_assign(one.key, one);
   mpm::Loading& loading = resolved.settings.scene.loading;
-  if (!resolved.origins.contains("loading.stop_strain")) loading.stop_strain = usual_stop_strain(loading);
+  if (!resolved.origins.contains("loading.stop_strain"))
+    loading.stop_strain = usual_stop_strain(resolved.settings.scene);
+  std::vector<mpm::Load>& loads = resolved.settings.scene.fixture.loads;
+  if (loads.size() == 1) loads.front().leads = true;
   const SpecimenChoice& choice = resolved.settings.specimen;
   if (choice.ellipse_list.empty() && !choice.ellipses.empty())
     resolved.origins["ellipses"] = {"ellipses", {}, {choice.ellipses, 0, 0}, "ellipses", ""};

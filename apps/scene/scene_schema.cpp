@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/scene/ellipse_list.hpp"
+#include "apps/settings/scene_lists.hpp"
 #include "apps/settings/schema.hpp"
 #include "apps/text/version.hpp"
 
@@ -165,6 +166,14 @@ Json ellipses_schema() {
           {"items", std::move(ellipse)}};
 }
 
+Json items_schema(const SceneList& list, const Settings& defaults) {
+  Json item = table_schema(list.item, list.fields(0), &defaults);
+  if (!list.required.empty()) item["required"] = list.required;
+  for (const std::string& key : list.required) item["properties"][key].erase("default");
+  return {
+      {"description", list.help}, {"type", "array"}, {"maxItems", most_items}, {"items", std::move(item)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json scene_schema() {
@@ -174,6 +183,7 @@ nlohmann::ordered_json scene_schema() {
     properties[group.name] = group.name == "phases"
                                  ? phases_schema(group, defaults)
                                  : table_schema(group.title, fields_of(group.name), &defaults);
+  for (const SceneList& list : scene_lists()) properties[list.name] = items_schema(list, defaults);
   Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}};
   schema.update(closed_table(std::string("Scene of mesopix ") + version(), std::move(properties)));
   return schema;

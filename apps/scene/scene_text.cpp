@@ -7,6 +7,7 @@
 
 #include "apps/scene/ellipse_list.hpp"
 #include "apps/scene/toml.hpp"
+#include "apps/settings/scene_lists.hpp"
 #include "apps/settings/schema.hpp"
 #include "apps/text/complaint.hpp"
 #include "apps/text/figures.hpp"
@@ -17,11 +18,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of the table that holds a key: "[loading]"; "[[loads]]" of "loads[2]".
+std::string heading_of(const std::string& table) {
+  const std::size_t item = table.find('[');
+  return item == std::string::npos ? "[" + table + "]" : "[[" + table.substr(0, item) + "]]";
+}
+
 template <class T>
 std::string line(const FieldOf<T>& field, const Value& value) {
   const std::string setting = fmt::format("{} = {}", leaf_of(field.key), toml_text(value));
   const std::string choices = field.form.kind == Kind::choice ? " (" + type(field.form) + ")" : "";
   return fmt::format("{:<32} # {}{}\n", setting, field.help, choices);
+}
+
+/// Every setting of an item that has a value.
+template <class See>
+void each_item(const Settings& settings, Extent extent, const See& see) {
+  for (const SceneList& list : scene_lists()) {
+    if (extent == Extent::specimen && !is_of_specimen(list.name)) continue;
+    for (std::size_t i = 0; i < list.size(settings); ++i)
+      for (const Field& field : list.fields(i))
+        if (const Value value = field.get(settings); !is_empty_text(value) && !is_empty_list(value))
+          see(field.key, field, value);
+  }
 }
 
 /// Every setting that has an effect and a value, in the order of the schema.
@@ -39,6 +58,7 @@ void each_in_use(const Settings& settings, Extent extent, const See& see) {
       if (const Value value = field.get(settings); !is_empty_text(value)) see(field.key, field, value);
     }
   }
+  each_item(settings, extent, see);
 }
 
 std::string ellipse_lines(const std::vector<specimen::Ellipse>& ellipses) {
@@ -94,7 +114,7 @@ std::string scene_text(const Settings& settings, Extent extent, const fs::path& 
   std::string table;
   each_in_use(settings, extent, [&](const std::string& key, const auto& field, const Value& value) {
     if (const std::string mine = key.substr(0, key.rfind('.')); mine != table) {
-      text += "\n[" + mine + "]\n";
+      text += "\n" + heading_of(mine) + "\n";
       table = mine;
     }
     text += line(field, field.form.kind == Kind::path ? relative_to(folder, value) : value);

@@ -48,6 +48,7 @@ struct DraftWish {
   std::string width;     ///< of the picture, "40 mm"; empty = as its file says
   std::string specimen;  ///< file that it is read from; neither: random aggregates
   mpm::Direction direction = mpm::Direction::tension;
+  std::string test;    ///< of a laboratory, see test_scenes(), in place of all of these; empty = none
   std::string file;    ///< that the scene is to be kept in
   std::string schema;  ///< file of the JSON Schema, which the scene then names; empty = none
 };

@@ -141,6 +141,17 @@ struct RectangleCodec {
   [[nodiscard]] Value write(const specimen::Crop& crop) const;
 };
 
+/// Lengths, as ["98 mm", "0 mm"]: so many of them, or none.
+struct LengthsCodec {
+  int number = 0;
+  std::string name;     ///< "X,Y"
+  std::string allowed;  ///< "must be x and y, e.g. ..."
+
+  [[nodiscard]] Form form() const;
+  [[nodiscard]] std::vector<double> read(const Value& value) const;
+  [[nodiscard]] Value write(const std::vector<double>& lengths) const;
+};
+
 /// ["0: void", "1: mortar"].
 struct LabelNamesCodec {
   using Names = std::vector<std::pair<std::int64_t, std::string>>;

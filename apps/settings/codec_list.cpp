@@ -95,6 +95,20 @@ Value TextsCodec::write(const std::vector<std::string>& texts) const {
   return list_of(texts, std::identity());
 }
 
+Form LengthsCodec::form() const { return list_form(name.c_str(), {.pattern = ".", .number = number}); }
+
+std::vector<double> LengthsCodec::read(const Value& value) const {
+  std::vector<double> lengths;
+  for (const std::string& text : as_texts(value, allowed))
+    lengths.push_back(parse_quantity(text, Dimension::length));
+  if (!lengths.empty() && lengths.size() != static_cast<std::size_t>(number)) throw Mistake(allowed);
+  return lengths;
+}
+
+Value LengthsCodec::write(const std::vector<double>& lengths) const {
+  return list_of(lengths, [](double length) { return format_quantity(length, Dimension::length); });
+}
+
 Form RectangleCodec::form() {
   return list_form("X,Y,WIDTH,HEIGHT", {.whole = between(0, most_pixels), .number = 4});
 }

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "apps/settings/scene_lists.hpp"
 #include "apps/text/words.hpp"
 
 namespace app {
@@ -25,6 +26,7 @@ std::vector<std::string> keys_of_group(const std::string& group) {
   std::vector<std::string> keys;
   if (group == "phases")
     for (const PhaseField& property : phase_fields()) keys.push_back(property.key);
+  if (const SceneList* list = find_list(group)) return item_keys(*list);
   for (const Field& field : fields_of(group)) keys.push_back(leaf_of(field.key));
   return keys;
 }
@@ -60,6 +62,9 @@ std::string why_motion_unused(std::string_view key, const mpm::Scene& scene) {
     return "has an effect with solver.kinematics = \"moving\" or \"auto\" only";
   if (group == "handover" && scene.kinematics != mpm::Kinematics::automatic)
     return "has an effect with solver.kinematics = \"auto\" only";
+  if (scene.fixture.has_loads() &&
+      is_one_of(key, {"loading.direction", "loading.platen", "loading.separation"}))
+    return "has no effect beside [[loads]]";
   if (flies && is_one_of(key, {"loading.velocity", "loading.ramp_time", "loading.platen",
                                "loading.separation", "loading.stop_strain"}))
     return "has no effect with loading.direction = \"none\"";
@@ -84,7 +89,7 @@ bool is_group(std::string_view name) {
 }
 
 bool is_of_specimen(std::string_view key) {
-  return is_one_of(group_of(key), {"specimen", "ellipses", "generate", "convert", "itz"});
+  return is_one_of(group_of(key), {"specimen", "ellipses", "generate", "convert", "itz", "cuts"});
 }
 
 bool is_phase_name(std::string_view name) {
@@ -112,6 +117,7 @@ std::optional<Field> find_field(std::string_view key) {
   for (const std::vector<Field>* table : {&fields(), &former_fields()})
     for (const Field& field : *table)
       if (field.key == key) return field;
+  if (auto item = find_item_field(key)) return item;
   const std::size_t first = key.find('.');
   const std::size_t last = key.rfind('.');
   if (group_of(key) != "phases" || first == last) return std::nullopt;
@@ -134,6 +140,7 @@ Suggestion suggest_key(std::string_view key, const Settings& settings) {
   if (!keys.empty()) return {{}, group + " has " + listed(keys, "and")};
   std::vector<std::string> tables;
   for (const Group& one : groups()) tables.push_back(one.name);
+  for (const SceneList& one : scene_lists()) tables.push_back(one.name);
   return {closest(group, tables), "the tables of a scene are " + listed(tables, "and")};
 }
 

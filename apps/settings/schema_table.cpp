@@ -205,6 +205,11 @@ std::vector<Field> loading_fields() {
       field("loading.stop_strain", ratio(inside(0, 1)),
             "strain at which the run ends; larger in compression or with stop_drop, unless given",
             MEMBER(scene.loading.stop_strain)),
+      field("loading.stop_displacement", OptionalQuantityCodec{length(above(0)), "none"},
+            "of the leading load or the platen at which the run ends, in place of a strain",
+            MEMBER(stop_displacement)),
+      field("loading.thickness", length(above(0)), "of the specimen, for forces in newtons",
+            MEMBER(scene.fixture.thickness)),
       field("loading.stop_drop", OptionalQuantityCodec{ratio(inside(0, 1)), "none"},
             "ends the run below this share of the peak stress", MEMBER(scene.loading.stop_drop)),
   };

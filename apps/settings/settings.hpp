@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,13 @@ struct GradingChoice {
   specimen::Grading classes;  ///< used instead of the named curve where not empty
 };
 
+/// What is cut out of a specimen: a rectangle (x, y, width, height) or a circle (x, y, radius), from its
+/// lower left corner [m]; empty = it is not that.
+struct Cut {
+  std::vector<double> rectangle, circle;
+  bool keeps_inside = false;  ///< all beyond it is cut off instead
+};
+
 /// That of the library, with the cell and the damping that suit its kinematics.
 [[nodiscard]] mpm::Scene default_scene();
 
@@ -47,11 +55,13 @@ struct Settings {
   GradingChoice grading;
   specimen::ConvertOptions convert;
   specimen::ItzOptions itz;
+  std::vector<Cut> cuts;
   std::vector<mpm::Phase> phases = mpm::concrete_phases();
-  mpm::Scene scene = default_scene();  ///< loading, damage and solver; no labels, no phases
-  bool automatic_cell = true;          ///< its cell follows from its kinematics, see follow_kinematics()
-  bool automatic_damping = true;       ///< so does its local damping
-  std::string title;                   ///< of the report, the user's own words
+  mpm::Scene scene = default_scene();       ///< loading, damage and solver; no labels, no phases
+  bool automatic_cell = true;               ///< its cell follows from its kinematics, see follow_kinematics()
+  bool automatic_damping = true;            ///< so does its local damping
+  std::optional<double> stop_displacement;  ///< of the leading load or platen, at which the run ends [m]
+  std::string title;                        ///< of the report, the user's own words
 };
 
 [[nodiscard]] Source source_of(const Settings& settings);

@@ -37,6 +37,17 @@ void write_history(hid_t file, const std::vector<HistoryRow>& history) {
     std::visit([&](auto member) { write_column(group, column, member, history); }, column.member);
 }
 
+void write_gauges(hid_t file, const std::vector<GaugeReadings>& gauges) {
+  if (gauges.empty()) return;
+  const Handle group = create_group(file, "gauges");
+  std::string names;
+  for (const GaugeReadings& gauge : gauges) names += (names.empty() ? "" : ",") + gauge.name;
+  write_text(group, "names", names);
+  for (const GaugeReadings& gauge : gauges)
+    write_values(group, gauge.name, {gauge.values.size()}, gauge.values.data(),
+                 {"m", "how far its two points have moved apart, by row of the history"});
+}
+
 std::string stop_name(StopReason reason) {
   for (const auto& [value, name] : stop_reasons)
     if (value == reason) return name;
@@ -93,6 +104,7 @@ void write_result(const std::string& path, const Result& result, const std::stri
   if (!texts.run.empty()) write_text(file, "run", texts.run);
   if (!texts.remarks.empty()) write_text(file, "remarks", texts.remarks);
   write_history(file, result.history);
+  write_gauges(file, result.gauges);
   write_maps(file, result);
   replace_file(path, image_of(file));
 } catch (const Fault& fault) {

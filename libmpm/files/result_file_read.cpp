@@ -1,5 +1,7 @@
 #include "libmpm/files/hdf5_read.hpp"
 #include "libmpm/files/result_file.hpp"
+
+#include <sstream>
 #include "libmpm/files/result_file_hdf5.hpp"
 #include "libmpm/scene/error.hpp"
 #include "libmpm/scene/result.hpp"
@@ -41,6 +43,23 @@ std::vector<HistoryRow> read_history(hid_t file) {
   for (const HistoryColumn& column : history_columns())
     std::visit([&](auto member) { read_column(group, column, member, history); }, column.member);
   return history;
+}
+
+std::vector<GaugeReadings> read_gauges(hid_t file, std::size_t rows) {
+  std::vector<GaugeReadings> gauges;
+  if (H5Lexists(file, "gauges", H5P_DEFAULT) <= 0) return gauges;
+  const Handle group = open_group(file, "gauges");
+  std::istringstream names(read_text(group, "names"));
+  for (std::string name; std::getline(names, name, ',');) {
+    GaugeReadings& gauge = gauges.emplace_back();
+    gauge.name = name;
+    read_values<double>(group, name, 1, "m", [&](const std::vector<hsize_t>& extent) {
+      gauge.values.resize(extent[0]);
+      return gauge.values.data();
+    });
+    require(gauge.values.size() == rows, "dataset gauges/" + name + " has another length than history/time");
+  }
+  return gauges;
 }
 
 StopReason stop_of(const std::string& name) {
@@ -117,6 +136,7 @@ Result read_result(const std::string& path) try {
   Result result;
   read_figures(file, result);
   result.history = read_history(file);
+  result.gauges = read_gauges(file, result.history.size());
   read_maps(file, result);
   return result;
 } catch (const Fault& fault) {

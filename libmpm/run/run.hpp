@@ -27,6 +27,7 @@ class Run {
     result_.history.reserve(static_cast<std::size_t>(plan.steps / plan.steps_per_row + 2));
     add_row(result_, first_row(scene), scene.loading.direction);
     if (scene.loading.direction == Direction::none) result_.stop = StopReason::time;
+    for (const Gauge& gauge : scene.fixture.gauges) result_.gauges.push_back({gauge.name, {0.0}});
   }
 
   /// Restore the records from the archive of a checkpoint.   @pre nothing has been recorded.
@@ -36,6 +37,7 @@ class Run {
     if (result_.history.size() < 2) archive.fail("a history without rows");
     const std::vector<HistoryRow> rows = std::exchange(result_.history, {});
     for (const HistoryRow& row : rows) add_row(result_, row, scene_.loading.direction);
+    restore_gauges(archive);
     wall_time_before_ = wall_time;
   }
 
@@ -57,7 +59,9 @@ class Run {
         throw Diverged(trouble, std::move(result_));
       }
       add_row(result_, row, scene_.loading.direction);
-      frames_.offer(solver, share_done(scene_, row), result_.history.size() - 1);
+      for (std::size_t i = 0; i < result_.gauges.size(); ++i)
+        result_.gauges[i].values.push_back(ledger.gauges.at(i));
+      frames_.offer(solver, share_done(row), result_.history.size() - 1);
       result_.nothing_carries = nothing_carries(ledger);
       const bool goes_on = !hooks_.observer || hooks_.observer(progress(solver, row));
       if (was_over || has_dropped(row)) {
@@ -84,6 +88,22 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void restore_gauges(ArchiveReader& archive) {
+    for (GaugeReadings& gauge : result_.gauges) {
+      archive.list(gauge.values);
+      if (gauge.values.size() != result_.history.size()) archive.fail("a gauge with another number of rows");
+    }
+  }
+
+  /// By the strain, or by the gauge that ends the run, whichever is further; of the last row.
+  [[nodiscard]] double share_done(const HistoryRow& row) const {
+    double share = mpm::share_done(scene_, row);
+    for (std::size_t i = 0; i < result_.gauges.size(); ++i)
+      if (const auto& until = scene_.fixture.gauges[i].until)
+        share = std::max(share, result_.gauges[i].values.back() / *until);
+    return share;
+  }
+
   static double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
@@ -94,7 +114,7 @@ class Run {
 
   template <class Solver>
   [[nodiscard]] Progress progress(const Solver& solver, const HistoryRow& row) const {
-    return {row, std::min(1.0, share_done(scene_, row)), wall_time(), [&] { return so_far(solver); }};
+    return {row, std::min(1.0, share_done(row)), wall_time(), [&] { return so_far(solver); }};
   }
 
   /// Adds what is not recorded row by row.
@@ -131,12 +151,13 @@ class Run {
     checkpoint.instruction_set = result_.instruction_set;
     checkpoint.specimen = specimen_digest(scene_);
     checkpoint.step = result_.steps;
-    checkpoint.fraction = std::min(1.0, share_done(scene_, row));
+    checkpoint.fraction = std::min(1.0, share_done(row));
     checkpoint.wall_time = wall_time();
     checkpoint.frames = frames_.taken();
     ArchiveWriter archive;
     pass(archive, *this);
     archive.list(result_.history);
+    for (const GaugeReadings& gauge : result_.gauges) archive.list(gauge.values);
     solver.save(archive);
     checkpoint.state = archive.take();
     hooks_.checkpoints.sink(std::move(checkpoint));

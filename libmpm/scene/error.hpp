@@ -66,6 +66,9 @@ inline void refuse_first(const std::vector<Error>& faults) {
 /// Every value of a phase that is out of range; empty for a valid phase.
 [[nodiscard]] std::vector<Error> faults(const Phase& phase, Plane plane);
 
+/// Every rule that supports, loads and gauges violate, but for what only their place on the grid shows.
+[[nodiscard]] std::vector<Error> fixture_faults(const Scene& scene);
+
 /// Every rule that a scene violates; empty for a valid scene.
 [[nodiscard]] std::vector<Error> faults(const Scene& scene);
 

@@ -54,9 +54,16 @@ enum class StopReason {
   interrupted,  ///< the observer ended it
 };
 
+/// What a gauge has read.
+struct GaugeReadings {
+  std::string name;
+  std::vector<double> values;  ///< by row of the history [m]
+};
+
 /// Maps have the shape (rows, cols) of Scene::labels, row 0 at the top; NaN = no value.
 struct Result {
-  std::vector<HistoryRow> history;  ///< the first row is the initial state
+  std::vector<HistoryRow> history;    ///< the first row is the initial state
+  std::vector<GaugeReadings> gauges;  ///< those of the scene, in its order
   /// Largest stress of the history [Pa], which is a peak if peak_reached() says so. Of platens whose
   /// imbalance is above `balanced`, the lesser reaction counts: what the greater one has beyond it moves the
   /// specimen, and does not pass through it.

@@ -242,6 +242,7 @@ void check_settings(Faults& faults, const Scene& scene) {
   check_kinematics(faults, scene);
   check_solver(faults, scene);
   check_quasi_static(faults, scene);
+  faults.add(fixture_faults(scene));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/scene/fixture.hpp"
 #include "libmpm/scene/phase.hpp"
 
 namespace mpm {
@@ -154,6 +155,7 @@ struct Scene {
   Motion motion;
   Handover handover;
   Loading loading;
+  Fixture fixture;  ///< supports, loads and gauges, in place of platens or beside them
   Damage damage;
   double local_damping = 0;  ///< share of the unbalanced force that opposes the motion [-], in [0, 1)
   double cfl =

@@ -40,6 +40,37 @@ std::string Sha256::digest() {
   return digest;
 }
 
+namespace {
+
+void add_stretch(ArchiveWriter& archive, const Stretch& at) {
+  archive.whole(static_cast<int>(at.side), 0, 0);
+  archive.raw(&at.from, 1);
+  archive.raw(&at.to, 1);
+}
+
+/// Nothing for a specimen between platens without gauges.
+void add_fixture(ArchiveWriter& archive, const Fixture& fixture) {
+  for (const Bearing& support : fixture.supports) {
+    add_stretch(archive, support.at);
+    archive.flag(support.fix_x);
+    archive.flag(support.fix_y);
+  }
+  for (const Load& load : fixture.loads) {
+    add_stretch(archive, load.at);
+    archive.whole(static_cast<int>(load.way), 0, 0);
+    archive.finite(load.share);
+    archive.flag(load.leads);
+    archive.flag(load.grips);
+  }
+  for (const Gauge& gauge : fixture.gauges) {
+    for (const double place : {gauge.x1, gauge.y1, gauge.x2, gauge.y2}) archive.finite(place);
+    archive.whole(static_cast<int>(gauge.direction), 0, 0);
+    archive.flag(gauge.controls);
+  }
+}
+
+}  // namespace
+
 std::string specimen_digest(const Scene& scene) {
   ArchiveWriter archive;
   archive.finite(scene.pixel_size);
@@ -50,6 +81,7 @@ std::string specimen_digest(const Scene& scene) {
     archive.finite(point.y);
     archive.whole(point.phase, 0, 0);
   }
+  add_fixture(archive, scene.fixture);
   return Sha256().add(archive.take()).digest();
 }
 

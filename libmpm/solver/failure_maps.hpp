@@ -29,6 +29,7 @@ struct Ledger {
   std::int64_t shear_failures = 0;
   std::int64_t left_points = 0;
   std::int64_t carrying_points = 0;  ///< that still have some stiffness
+  std::vector<double> gauges;        ///< readings, in the order of the scene [m]
   std::int64_t diverged_at = -1;     ///< step at which a value became not-a-number; -1 = none
   std::string trouble;               ///< another fault, with the step and the point; empty = none
 };

@@ -245,6 +245,7 @@ Plan plan(const Scene& scene) {
   if (scene.kinematics != Kinematics::small_strain)
     plan.moving = moving_plan(scene, plan.features, plan.cell_size);
   plan.threads = threads_worth_having(scene);
+  plan.boundary = find_boundary(scene, plan.cells_x, plan.cells_y, plan.cell_size);
   plan.softens =
       std::any_of(phases.begin(), phases.end(), [](const Phase* phase) { return softens(*phase); });
   if (plan.softens) {

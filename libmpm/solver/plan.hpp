@@ -7,6 +7,7 @@
 #include "libmpm/kernels/lattice_kernels.hpp"
 #include "libmpm/kernels/moving_kernels.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/solver/boundary.hpp"
 
 namespace mpm {
 
@@ -34,6 +35,7 @@ struct Plan {
   kernels::Features features;      ///< compile-time options of the sweeps
   bool softens = false;            ///< some point has a fracture energy
   double poisson = 0;              ///< of all phases, when features.one_poisson_ratio
+  GridBoundary boundary;           ///< supports, loads and gauges; empty between platens
   MovingPlan moving;               ///< unless the kinematics are those of small strain
 };
 

@@ -31,12 +31,18 @@ void combine(const NodeField& a, double factor, const NodeField& b, NodeField& s
 
 Equilibrium::Equilibrium(const Scene& scene, const Plan& plan, const StrengthFactors& factors)
     : LatticeCells(scene, plan, factors), u_(shape().zeros()) {
-  find_pinned_node();
-  move_platens();
+  if (plan.boundary.empty()) {
+    find_pinned_node();
+    move_platens();
+  } else {
+    move_loads();
+  }
   for (int row = 0; row < plan_.cells_y; ++row)
     separate_.follow(row, caution_, [&](int cell) { return loaded(row, cell); });
   (void)separate_.changed();
   make_multigrid();
+  // Between loads no displacements are known that would do as a scale: those in equilibrium are found.
+  if (!plan.boundary.empty()) (void)gradients_->solve(u_, {.accuracy = accuracy});
   scale_ = std::sqrt(-dot(shape(), u_, gradients_->unbalanced(u_)));
 }
 
@@ -111,8 +117,29 @@ void Equilibrium::move_platens() {
       u_.y[shape().node(row, col)] = height * row / plan_.cells_y;  // a first guess, exact at both platens
 }
 
+/// At rest but for what is given.
+void Equilibrium::move_loads() {
+  held_x_.assign(shape().nodes(), 0);
+  held_y_.assign(shape().nodes(), 0);
+  for (const HeldNode& node : plan_.boundary.held) {
+    const std::size_t at = shape().node(node.row, node.col);
+    held_x_[at] = node.x ? 1 : 0;
+    held_y_[at] = node.y ? 1 : 0;
+    if (node.x) u_.x[at] = scene_.height() * node.ux;
+    if (node.y) u_.y[at] = scene_.height() * node.uy;
+  }
+}
+
 HeldNodes Equilibrium::held(int row, int col) const {
   HeldNodes held;
+  if (!plan_.boundary.empty()) {
+    for (int node = 0; node < 4; ++node) {
+      const std::size_t at = shape().node(row + node / 2, col + node % 2);
+      held.x[static_cast<std::size_t>(node)] = held_x_[at] != 0;
+      held.y[static_cast<std::size_t>(node)] = held_y_[at] != 0;
+    }
+    return held;
+  }
   const bool rough = scene_.loading.platen == Platen::rough;
   for (int node = 0; node < 4; ++node) {
     const int node_row = row + node / 2;
@@ -223,10 +250,37 @@ CellDisplacement Equilibrium::loaded(int row, int cell) const {
   return u;
 }
 
+/// Forces of the loads on the specimen, and their work at a strain of 1.
+void Equilibrium::read_forces() {
+  const NodeField& force = gradients_->unbalanced(u_);  // of the cells on the nodes
+  double work = 0, leading = 0;
+  for (const HeldNode& node : plan_.boundary.held) {
+    if (node.load < 0) continue;
+    const std::size_t at = shape().node(node.row, node.col);
+    work -= (node.x ? force.x[at] * node.ux : 0) + (node.y ? force.y[at] * node.uy : 0);
+    const Load& load = scene_.fixture.loads[static_cast<std::size_t>(node.load)];
+    if (load.leads) leading -= force.x[at] * sense_x(load.way) + force.y[at] * sense_y(load.way);
+  }
+  const double area = points_.planes * scene_.width();
+  modulus_top_ = modulus_bottom_ = work / area;
+  modulus_leading_ = leading / area;
+}
+
+double Equilibrium::gauge(std::size_t index) const {
+  double reading = 0;
+  for (const NodeWeight& node : plan_.boundary.gauges[index]) {
+    const std::size_t at = shape().node(node.row, node.col);
+    reading += node.x * u_.x[at] + node.y * u_.y[at];
+  }
+  return reading;
+}
+
 void Equilibrium::read_reactions() {
+  if (!plan_.boundary.empty()) return read_forces();
   const double area = points_.planes * scene_.width();
   modulus_top_ = -gradients_->force_y(plan_.cells_y) / area;
   modulus_bottom_ = gradients_->force_y(0) / area;
+  modulus_leading_ = modulus();
 }
 
 void Equilibrium::change(const std::vector<Change>& changes) {
@@ -263,14 +317,17 @@ double Equilibrium::largest_utilisation(int row, int plane, const Resistance& re
 }
 
 void Equilibrium::part(const Pieces& pieces) {
+  const Load* leading = scene_.fixture.leading();
+  const double x = leading == nullptr ? 0 : sense_x(leading->way) * scene_.height();
+  const double y = leading == nullptr ? scene_.height() : sense_y(leading->way) * scene_.height();
   for (int row = 0; row <= plan_.cells_y; ++row)
     for (int col = 0; col <= plan_.cells_x; ++col) {
       const std::size_t node = shape().node(row, col);
       if (!pieces.is_above(row, col) && !pieces.is_below(row, col)) continue;
-      u_.x[node] = 0;
-      u_.y[node] = pieces.is_above(row, col) ? scene_.height() : 0;
+      u_.x[node] = pieces.is_above(row, col) ? x : 0;
+      u_.y[node] = pieces.is_above(row, col) ? y : 0;
     }
-  modulus_top_ = modulus_bottom_ = 0;
+  modulus_top_ = modulus_bottom_ = modulus_leading_ = 0;
 }
 
 CellDisplacement Equilibrium::displacement(int row, int cell) const {

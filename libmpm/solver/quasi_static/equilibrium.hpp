@@ -22,7 +22,8 @@ struct Resistance {
 };
 
 /// The specimen between its platens at a platen strain of 1: the lower platen stands still, the upper one has
-/// moved up by the height. Points are those of the lattice.
+/// moved up by the height. With a fixture the leading load has moved by the height, and forces are over the
+/// width, as if it were a platen. Points are those of the lattice.
 class Equilibrium final : private LatticeCells {
  public:
   /// All points intact, nothing solved yet. The scene must outlive this.
@@ -60,7 +61,12 @@ class Equilibrium final : private LatticeCells {
   [[nodiscard]] bool restore(const Points& points);
 
   /// Stress of the platens over their strain [Pa]: mean of both.
+  /// With a fixture, what turns strain into energy.
   [[nodiscard]] double modulus() const { return 0.5 * (modulus_top_ + modulus_bottom_); }
+  /// Force of the leading load over the width and the strain [Pa]; modulus() between platens.
+  [[nodiscard]] double leading_modulus() const { return modulus_leading_; }
+  /// Reading of a gauge of the scene at a platen strain of 1 [m].
+  [[nodiscard]] double gauge(std::size_t index) const;
   [[nodiscard]] int missing_threads() const {
     return multigrid_->missing_threads();
   }  ///< that the system refused
@@ -115,7 +121,9 @@ class Equilibrium final : private LatticeCells {
   void find_pinned_node();
   void make_multigrid();
   void move_platens();
+  void move_loads();
   void read_reactions();
+  void read_forces();
   [[nodiscard]] bool settle(double reduction);
   [[nodiscard]] double search(const NodeField& start, const NodeField& step);
   void take_caution(double caution);
@@ -130,7 +138,8 @@ class Equilibrium final : private LatticeCells {
   NodeField u_;
   double caution_ = SeparatePoints::most_caution;  ///< with which cracks are corrected
   double scale_ = 0;                               ///< norm of a uniform strain of 1 of the intact specimen
-  double modulus_top_ = 0, modulus_bottom_ = 0;
+  double modulus_top_ = 0, modulus_bottom_ = 0, modulus_leading_ = 0;
+  std::vector<char> held_x_, held_y_;  ///< by node, with a fixture
 };
 
 }  // namespace mpm

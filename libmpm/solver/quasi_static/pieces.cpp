@@ -4,7 +4,8 @@
 
 namespace mpm {
 
-Pieces::Pieces(int cells_x, int cells_y, const std::function<bool(int, int)>& has_stiffness)
+Pieces::Pieces(int cells_x, int cells_y, const std::function<bool(int, int)>& has_stiffness,
+               const GridBoundary& boundary)
     : cells_x_(cells_x),
       parent_(static_cast<std::size_t>(cells_x + 1) * static_cast<std::size_t>(cells_y + 1) + 2) {
   std::iota(parent_.begin(), parent_.end(), std::size_t{0});
@@ -14,7 +15,9 @@ Pieces::Pieces(int cells_x, int cells_y, const std::function<bool(int, int)>& ha
       for (int corner = 1; corner < 4; ++corner)
         join(node(row + corner / 2, col + corner % 2), node(row, col));
     }
-  for (int col = 0; col <= cells_x; ++col) {
+  for (const HeldNode& held : boundary.held)
+    join(node(held.row, held.col), held.load >= 0 ? above() : below());
+  for (int col = 0; boundary.empty() && col <= cells_x; ++col) {
     join(node(0, col), below());
     join(node(cells_y, col), above());
   }

@@ -5,12 +5,17 @@
 #include <functional>
 #include <vector>
 
+#include "libmpm/solver/boundary.hpp"
+
 namespace mpm {
 
 class Pieces {
  public:
   /// @param has_stiffness  whether a cell (row, column) holds its nodes together.
-  Pieces(int cells_x, int cells_y, const std::function<bool(int, int)>& has_stiffness);
+  /// @param boundary  what holds the specimen is the lower platen, what moves it is the upper one; empty =
+  /// both are platens.
+  Pieces(int cells_x, int cells_y, const std::function<bool(int, int)>& has_stiffness,
+         const GridBoundary& boundary = {});
 
   /// Whether every node of a cell has a way to a platen.
   [[nodiscard]] bool is_held(int row, int col) const;

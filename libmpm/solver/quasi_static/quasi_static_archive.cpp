@@ -72,6 +72,7 @@ void QuasiStaticSolver::pass(Archive& archive, Self& self) {
   archive.finite(self.strain_);
   archive.finite(self.farthest_);
   archive.finite(self.modulus_);
+  if (self.control_ >= 0) archive.finite(self.reading_);
   archive.finite(self.tally_.platen_work);
   archive.finite(self.tally_.released);
   archive.whole(self.tally_.tension_failures, 0, std::int64_t{1} << 62);

@@ -34,9 +34,12 @@ void QuasiStaticSolver::take_out_loose() {
     if (is_live(equilibrium_.kept(at)))
       holds[static_cast<std::size_t>(at.row) * cells_x + static_cast<std::size_t>(at.cell)] = 1;
   });
-  const Pieces pieces(plan_.cells_x, plan_.cells_y, [&](int row, int cell) {
-    return holds[static_cast<std::size_t>(row) * cells_x + static_cast<std::size_t>(cell)] != 0;
-  });
+  const Pieces pieces(
+      plan_.cells_x, plan_.cells_y,
+      [&](int row, int cell) {
+        return holds[static_cast<std::size_t>(row) * cells_x + static_cast<std::size_t>(cell)] != 0;
+      },
+      plan_.boundary);
   take_out(pieces);
   parted_ = !pieces.joins_platens();
   if (parted_) equilibrium_.part(pieces);

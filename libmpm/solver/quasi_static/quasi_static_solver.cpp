@@ -39,6 +39,8 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
       maps_(empty_maps(scene, plan)),
       sign_(scene.loading.direction == Direction::tension ? 1.0 : -1.0),
       carrying_(count_points(scene)) {
+  for (std::size_t i = 0; i < scene.fixture.gauges.size(); ++i)
+    if (scene.fixture.gauges[i].controls) control_ = static_cast<int>(i);
   for (const auto& phase : scene.phases) {
     Limits limits;
     if (phase)
@@ -66,9 +68,7 @@ QuasiStaticSolver::QuasiStaticSolver(const Scene& scene, const Plan& plan, const
   });
 }
 
-double QuasiStaticSolver::energy() const {
-  return 0.5 * modulus_ * strain_ * strain_ * scene_.width() * scene_.height();
-}
+double QuasiStaticSolver::energy() const { return 0.5 * modulus_ * strain_ * strain_ * volume(); }
 
 /// The platens move to another strain while nothing fails.
 void QuasiStaticSolver::add_work(double strain) {
@@ -93,10 +93,34 @@ void QuasiStaticSolver::take_work(double before) {
   spent_ = 0;
 }
 
+/// Strain at which the controlling gauge reads so much; one that does not open tells nothing [-].
+double QuasiStaticSolver::strain_at(double reading) const {
+  const double opening = equilibrium_.gauge(static_cast<std::size_t>(control_));
+  return opening > 0 ? reading / opening : strain_;
+}
+
+/// While points fail the controlling gauge stands still, and the load goes along a straight line to where it
+/// reads the same.
+/// @param before  elastic energy before that [J/m].
+void QuasiStaticSolver::follow_gauge(double before) {
+  const double strain = strain_at(reading_);
+  const double stress_before = 2 * before / (strain_ * volume());
+  const double work = 0.5 * (stress_before + modulus_ * strain) * (strain - strain_) * volume();
+  strain_ = strain;
+  farthest_ = std::max(farthest_, strain);
+  tally_.platen_work += work;
+  tally_.released += before + work - energy();
+}
+
 /// To the next state, or to the end. Where the platens may go back, the drop of the stress ends in a state of
 /// its own, unless another point fails before.
 /// @param before  elastic energy before the last failures, at the same strain [J/m].
 void QuasiStaticSolver::move_platens(double before) {
+  if (control_ >= 0 && strain_ > 0) {
+    follow_gauge(before);
+    has_dropped_ = next_ > strain_;
+    return has_dropped_ ? void() : move_on();
+  }
   const double lost = before - energy();
   const double drop = snaps_back() && lost > 0 ? strain_ * std::min(spent_ / lost, 1.0) : strain_;
   take_work(before);
@@ -105,11 +129,24 @@ void QuasiStaticSolver::move_platens(double before) {
   move_on();
 }
 
+/// Strain at which the run ends if nothing fails before: that of the platens, or of a gauge.
+double QuasiStaticSolver::end_strain() const {
+  double end = scene_.loading.stop_strain;
+  for (std::size_t i = 0; i < scene_.fixture.gauges.size(); ++i)
+    if (const auto& until = scene_.fixture.gauges[i].until; until && equilibrium_.gauge(i) > 0)
+      end = std::min(end, *until / equilibrium_.gauge(i));
+  return end;
+}
+
 /// To the strain of the next failure, or to the end.
 void QuasiStaticSolver::move_on() {
-  done_ = !(next_ <= scene_.loading.stop_strain);
-  if (done_) return add_work(scene_.loading.stop_strain);
-  add_work(snaps_back() ? next_ : std::max(strain_, next_));
+  const double end = end_strain();
+  done_ = !(next_ <= end);
+  add_work(done_          ? std::max(end, snaps_back() ? 0 : strain_)
+           : snaps_back() ? next_
+                          : std::max(strain_, next_));
+  if (control_ >= 0)
+    reading_ = std::max(reading_, strain_ * equilibrium_.gauge(static_cast<std::size_t>(control_)));
 }
 
 /// From the state of the last failures to that at the next one.
@@ -141,8 +178,15 @@ Ledger QuasiStaticSolver::advance(std::int64_t steps) {
 Ledger QuasiStaticSolver::ledger() const {
   Ledger ledger;
   ledger.platen_displacement = strain_ * scene_.height();
-  ledger.force_top = sign_ * equilibrium_.modulus_top() * strain_ * scene_.width();
-  ledger.force_bottom = -sign_ * equilibrium_.modulus_bottom() * strain_ * scene_.width();
+  if (scene_.fixture.has_loads()) {
+    ledger.force_top = equilibrium_.leading_modulus() * strain_ * scene_.width();
+    ledger.force_bottom = -ledger.force_top;
+  } else {
+    ledger.force_top = sign_ * equilibrium_.modulus_top() * strain_ * scene_.width();
+    ledger.force_bottom = -sign_ * equilibrium_.modulus_bottom() * strain_ * scene_.width();
+  }
+  for (std::size_t i = 0; i < scene_.fixture.gauges.size(); ++i)
+    ledger.gauges.push_back(sign_ * strain_ * equilibrium_.gauge(i));
   ledger.platen_work = tally_.platen_work;
   ledger.elastic = energy();
   ledger.released = tally_.released;

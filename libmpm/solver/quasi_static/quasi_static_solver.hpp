@@ -100,6 +100,10 @@ class QuasiStaticSolver {
   void add_work(double strain);
   void take_work(double before);
   void move_platens(double before);
+  [[nodiscard]] double strain_at(double reading) const;
+  void follow_gauge(double before);
+  [[nodiscard]] double end_strain() const;
+  [[nodiscard]] double volume() const { return scene_.width() * scene_.height(); }
   void move_on();
   [[nodiscard]] bool is_live(double share) const;
   [[nodiscard]] bool may_be_loose(std::int64_t iterations) const;
@@ -140,6 +144,8 @@ class QuasiStaticSolver {
   double farthest_ = 0;  ///< largest of them so far [-]
   double modulus_ = 0;   ///< of the last state [Pa]
   double spent_ = 0;     ///< energy that the points lose that fail now, at their strain [J/m]
+  int control_ = -1;     ///< number of the gauge that controls the run; -1 = the platens do
+  double reading_ = 0;   ///< its largest so far [m]
   std::int64_t steps_ = 0;
   std::int64_t carrying_ = 0;
   bool done_ = false;

@@ -170,7 +170,7 @@ TEST(SuggestKey, FindsWhatWasMeant) {
             "damage has seed, crack_closure, residual_stiffness and correlation_length");
   EXPECT_EQ(suggestion_for("quux"),
             "the tables of a scene are specimen, generate, convert, itz, phases, loading, damage, solver, "
-            "motion, handover and output");
+            "motion, handover, output, cuts, supports, loads and gauges");
 }
 
 TEST(WhyUnused, DependsOnSettingsThatAreKnownToDecide) {
