@@ -90,11 +90,29 @@ std::vector<Fact> motion_facts(const RunRecord& record, const mpm::HistoryRow& e
   return facts;
 }
 
+/// Of a test with loads: its force, and what its gauges read then and at the end.
+std::vector<Fact> load_facts(const RunRecord& record, const mpm::HistoryRow& end) {
+  const mpm::Result& result = record.result;
+  const mpm::Scene& scene = record.scene;
+  const bool peak = mpm::peak_reached(result);
+  std::vector<Fact> facts{
+      {peak ? "Peak force" : "Largest force", rounded(1e-3 * leading_force(scene, result.peak_stress)), "kN"},
+      {peak ? "Displacement at the peak" : "Displacement at it",
+       rounded(1e3 * leading_displacement(scene, result.peak_strain)), "mm"},
+      {"Force" + when(record), rounded(1e-3 * leading_force(scene, end.stress)), "kN"},
+      {"Displacement" + when(record), rounded(1e3 * leading_displacement(scene, end.strain)), "mm"}};
+  for (const mpm::GaugeReadings& gauge : result.gauges)
+    if (!gauge.values.empty())
+      facts.push_back({gauge.name + when(record), rounded(1e3 * gauge.values.back()), "mm"});
+  return facts;
+}
+
 std::vector<Fact> run_facts(const RunRecord& record) {
   const mpm::Result& result = record.result;
   const mpm::HistoryRow end = result.history.empty() ? mpm::HistoryRow{} : result.history.back();
-  std::vector<Fact> facts =
-      has_platens(record.scene) ? strength_facts(record, end) : flight_facts(record, end);
+  std::vector<Fact> facts = record.scene.fixture.has_loads() ? load_facts(record, end)
+                            : has_platens(record.scene)      ? strength_facts(record, end)
+                                                             : flight_facts(record, end);
   for (const std::vector<Fact>& more : {failure_facts(result), motion_facts(record, end)})
     facts.insert(facts.end(), more.begin(), more.end());
   return facts;

@@ -10,6 +10,7 @@
 
 #include "apps/job/job.hpp"
 #include "apps/live/live_view.hpp"
+#include "apps/report/key_figures.hpp"
 #include "apps/report/run_words.hpp"
 #include "apps/run/checkpoint_folder.hpp"
 #include "apps/run/frame_folder.hpp"
@@ -145,6 +146,14 @@ std::string estimate_text(const output::ErrorEstimate& estimate) {
 }
 
 std::string result_text(const mpm::Result& result, const mpm::Scene& scene) {
+  if (scene.fixture.has_loads())
+    return fmt::format(
+        "{} force {:.4g} N at a displacement of {:.4g} mm, {} tension and {} shear failures, {} steps in "
+        "{:.2f} s",
+        mpm::peak_reached(result) ? "peak" : "no peak, largest",
+        output::leading_force(scene, result.peak_stress),
+        1e3 * output::leading_displacement(scene, result.peak_strain), result.tension_failures,
+        result.shear_failures, result.steps, result.wall_time);
   const bool platens = output::has_platens(scene);
   return fmt::format(
       "{} {}{:.4g} MPa at {} {}, {} tension and {} shear failures, {} steps in {:.2f} s",

@@ -42,6 +42,11 @@ void expect_same(const std::vector<mpm::HistoryRow>& read, const std::vector<mpm
 
 void expect_same(const mpm::Result& read, const mpm::Result& written) {
   expect_same(read.history, written.history);
+  ASSERT_EQ(read.gauges.size(), written.gauges.size());
+  for (std::size_t i = 0; i < written.gauges.size(); ++i) {
+    EXPECT_EQ(read.gauges[i].name, written.gauges[i].name);
+    EXPECT_EQ(read.gauges[i].values, written.gauges[i].values);
+  }
   expect_same(read.peak_stress, written.peak_stress);
   expect_same(read.peak_strain, written.peak_strain);
   expect_same(read.failure_strain, written.failure_strain);
@@ -66,6 +71,16 @@ void expect_same(const mpm::Result& read, const mpm::Result& written) {
 TEST_F(ResultFile, GivesBackEveryBit) {
   mpm::write_result(path_, odd_result(), "");
   expect_same(mpm::read_result(path_), odd_result());
+}
+
+TEST_F(ResultFile, KeepsWhatGaugesRead) {
+  mpm::Result result = odd_result();
+  result.gauges = {{"CMOD", {0, 1e-7 / 3, 2e-7 / 3, 5e-324, -1e-6}}, {"an-other_1", {0, 1, 2, 3, 4}}};
+  mpm::write_result(path_, result, "");
+  expect_same(mpm::read_result(path_), result);
+  result.gauges[0].values.pop_back();
+  mpm::write_result(path_, result, "");
+  EXPECT_THROW((void)mpm::read_result(path_), mpm::FileError);
 }
 
 TEST_F(ResultFile, KeepsCrushedPointsOfCrackClosure) {

@@ -7,6 +7,7 @@
 #include "libmpm/scene/error.hpp"
 #include "libmpm/solver/plan.hpp"
 #include "tests/libmpm/sample_scenes.hpp"
+#include "tests/libmpm/solver/quasi_static/quasi_static_runs.hpp"
 
 namespace fixture_test {
 
@@ -128,6 +129,47 @@ TEST(Fixture, AGaugeThatControlsNeverFallsAndTheLoadSnapsBack) {
   EXPECT_NEAR(reading.back(), 1e-5, 1e-9);
   EXPECT_LT(result.energy_error, 1e-9);
   EXPECT_EQ(result.stop, mpm::StopReason::strain);
+}
+
+TEST(Fixture, ARunThatAGaugeControlsGoesOnAsIfItHadNeverStopped) {
+  const Scene scene = notched_bar();
+  const Result whole = mpm::simulate(scene);
+  const Result resumed = mpm::resume(scene, samples::stopped_after(scene, 30).kept);
+  ASSERT_EQ(resumed.history.size(), whole.history.size());
+  for (std::size_t i = 0; i < whole.history.size(); ++i)
+    EXPECT_EQ(resumed.history[i].stress, whole.history[i].stress) << i;
+  EXPECT_EQ(resumed.gauges[0].values, whole.gauges[0].values);
+  Scene other = scene;
+  other.fixture.gauges[0].x1 = 1e-3;
+  EXPECT_THROW((void)mpm::resume(other, samples::stopped_after(scene, 5).kept), mpm::Error);
+}
+
+TEST(Fixture, WhatItCannotDoIsRefusedWithTheCure) {
+  const auto refusal = [](const Scene& scene) -> std::string {
+    try {
+      mpm::validate(scene);
+    } catch (const mpm::Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Scene scene = beam(4, 40, {0.02});
+  EXPECT_EQ(refusal(scene), "");
+  scene.method = mpm::SolverMethod::explicit_;
+  EXPECT_EQ(refusal(scene),
+            "loads: with inertia; are for runs without inertia; choose solver.method = \"quasi_static\"");
+  scene = beam(4, 40, {0.02, 0.03});
+  scene.fixture.loads[1].leads = true;
+  EXPECT_NE(refusal(scene).find("exactly one load leads"), std::string::npos) << refusal(scene);
+  scene = beam(4, 40, {0.02});
+  scene.fixture.gauges = {{"a b", 0, 0, 0.01, 0}};
+  EXPECT_NE(refusal(scene).find("gauges[1].name: a b; must be letters"), std::string::npos) << refusal(scene);
+  scene.fixture.gauges = {{"a", 0, 0, 0.01, 0, Gauge::Direction::x, 1e-5, true}};
+  scene.loading.path = mpm::LoadingPath::snap_back;
+  EXPECT_NE(refusal(scene).find("loading.path: snap_back"), std::string::npos) << refusal(scene);
+  scene.fixture.loads.clear();
+  scene.fixture.gauges.clear();
+  EXPECT_NE(refusal(scene).find("supports: without loads"), std::string::npos) << refusal(scene);
 }
 
 TEST(Fixture, WithoutControlTheSameBarBreaksAtOnce) {
