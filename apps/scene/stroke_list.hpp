@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "specimen/convert/convert.hpp"
+#include "specimen/convert/strokes.hpp"
 
 namespace app {
 
@@ -16,12 +17,18 @@ namespace app {
 ///   width_px (3 if missing); each row is a point of its stroke.
 /// - GeoJSON: features with a LineString, a MultiLineString, a Point or a MultiPoint. Their property "phase",
 ///   or the name of their "classification" as QuPath writes it, is the phase; "width" is in pixels.
-/// The phase "cut" parts aggregates that touch.
+/// The phase "cut" parts aggregates that touch, "one-grain" makes one aggregate of all that a stroke crosses.
 /// @throws Rejected with every mistake and its place.
 [[nodiscard]] std::vector<specimen::StrokeLine> read_stroke_list(const std::string& path);
 
 /// The same from text; `path` is for the messages, and its ending tells the form.
 [[nodiscard]] std::vector<specimen::StrokeLine> parse_stroke_list(const std::string& text,
                                                                   const std::string& path);
+
+/// Strokes as CSV, which read_stroke_list() reads as the same lines.
+[[nodiscard]] std::string stroke_list_text(const std::vector<specimen::StrokeLine>& lines);
+
+/// Painted strokes as lines that cover the same pixels: one of width 1 for each row of a piece.
+[[nodiscard]] std::vector<specimen::StrokeLine> lines_of(const specimen::Strokes& painted);
 
 }  // namespace app

@@ -182,56 +182,20 @@ void lay_over_white(Picture& picture) {
   picture.opacity = {};
 }
 
-/// Number the grains that are left apart where strokes cut the aggregate; what lies under the strokes joins
-/// the grains beside it.
-int number_cut_grains(Sorted& sorted, ConvertReport& report) {
-  Raster<Cell>& cells = sorted.cells;
-  Raster<Cell> whole = cells;
-  const int uncut = number_grains(whole);
-  std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (sorted.cuts.data[i] != 0 && is_aggregate(cells.data[i])) {
-      cells.data[i] = cut_stroke;
-      open.push_back(i);
-    }
-  const int count = number_grains(cells);
-  const auto cols = static_cast<std::size_t>(cells.cols);
-  while (!open.empty()) {  // layer by layer, from the grains inwards
-    std::vector<std::pair<std::size_t, Cell>> joined;
-    std::vector<std::size_t> left;
-    for (const std::size_t i : open) {
-      Cell grain_beside = 0;
-      const auto look = [&](bool is_there, std::size_t at) {
-        if (is_there && cells.data[at] >= first_grain && grain_beside == 0) grain_beside = cells.data[at];
-      };
-      look(i >= cols, i - cols);
-      look(i % cols > 0, i - 1);
-      look(i % cols + 1 < cols, i + 1);
-      look(i + cols < cells.size(), i + cols);
-      if (grain_beside != 0)
-        joined.emplace_back(i, grain_beside);
-      else
-        left.push_back(i);
-    }
-    if (joined.empty()) break;
-    for (const auto& [i, grain_beside] : joined) cells.data[i] = grain_beside;
-    open = std::move(left);
-  }
-  for (const std::size_t i : open) cells.data[i] = phase::aggregate;  // no grain is beside them
-  report.notes.push_back("cut " + counted(uncut, "aggregate") + " along strokes into " + grouped(count));
-  return open.empty() ? count : number_grains(cells);
-}
-
 void separate_grains(Sorted& sorted, const ConvertOptions& o, ConvertReport& report) {
   if (sorted.keeps_grains) {
     if (o.split_touching)
       report.notes.emplace_back("split nothing: the picture already separates the grains");
     return;
   }
-  const int before = sorted.cuts.empty() ? number_grains(sorted.cells) : number_cut_grains(sorted, report);
-  if (!o.split_touching) return;
-  const int after = split_grains(sorted.cells, o.split_depth);
-  report.notes.push_back("split " + counted(before, "aggregate") + " at their necks into " + grouped(after));
+  int count = number_grains(sorted.cells);
+  const auto note = [&](const std::string& what, const std::string& how, int after) {
+    report.notes.push_back(what + " " + counted(count, "aggregate") + " " + how + " into " + grouped(after));
+    count = after;
+  };
+  if (!sorted.cuts.empty()) note("cut", "along strokes", cut_grains(sorted.cells, sorted.cuts));
+  if (o.split_touching) note("split", "at their necks", split_grains(sorted.cells, o.split_depth));
+  if (!sorted.joins.empty()) note("joined", "along strokes", join_grains(sorted.cells, sorted.joins));
 }
 
 using Shares = std::array<double, 256>;
@@ -351,7 +315,11 @@ Converted convert_picture(Picture whole, const ConvertOptions& options) {
   report.notes = whole.notes;
   Strokes strokes;
   if (implied_method(options) == Segmentation::taught) strokes = strokes_for(whole, options);
+  if (strokes.painted_over > 0)
+    report.notes.push_back(counted(strokes.painted_over, "pixel") +
+                           " of strokes were painted over by later strokes, which hold there");
   if (!strokes.labels.empty()) strokes.labels = cropped(std::move(strokes.labels), options.crop);
+  if (!strokes.joins.empty()) strokes.joins = cropped(std::move(strokes.joins), options.crop);
   Picture picture = in_common_form(squared(cropped(std::move(whole), options.crop), options, report));
   if (options.outside == Outside::none) lay_over_white(picture);
   report.source_pixel_size = source_pixel_size(picture, options, report);

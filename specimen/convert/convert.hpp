@@ -63,7 +63,7 @@ enum class Segmentation {
 
 /// A stroke along a line over a picture, which shows the phase of the pixels under it.
 struct StrokeLine {
-  std::string phase;  ///< its name, or cut_word
+  std::string phase;  ///< its name, cut_word or one_grain_word
   double width = 3;   ///< [px], 1 to 1000
   std::vector<std::pair<double, double>>
       points{};         ///< x from the left and y from the TOP of the picture [px]
@@ -72,6 +72,9 @@ struct StrokeLine {
 
 /// In place of a phase: the line parts two aggregates that touch.
 inline constexpr const char* cut_word = "cut";
+
+/// In place of a phase: all pieces of aggregate that the line crosses are one aggregate.
+inline constexpr const char* one_grain_word = "one-grain";
 
 /// What of a picture is taken to lie outside of the specimen, and becomes void.
 enum class Outside {

@@ -34,6 +34,96 @@ int number_grains(Raster<Cell>& cells) {
 
 namespace {
 
+constexpr Cell open_cut = -1;  ///< a pixel of a cut that belongs to no grain yet
+
+/// Give pixels of cuts the grains beside them, layer by layer from the grains inwards.
+/// @return those that no grain is beside.
+std::vector<std::size_t> close_cuts(Raster<Cell>& cells, std::vector<std::size_t> open) {
+  const auto cols = static_cast<std::size_t>(cells.cols);
+  while (!open.empty()) {
+    std::vector<std::pair<std::size_t, Cell>> joined;
+    std::vector<std::size_t> left;
+    for (const std::size_t i : open) {
+      Cell beside = 0;
+      const auto look = [&](bool is_there, std::size_t at) {
+        if (is_there && cells.data[at] >= first_grain && beside == 0) beside = cells.data[at];
+      };
+      look(i >= cols, i - cols);
+      look(i % cols > 0, i - 1);
+      look(i % cols + 1 < cols, i + 1);
+      look(i + cols < cells.size(), i + cols);
+      if (beside != 0)
+        joined.emplace_back(i, beside);
+      else
+        left.push_back(i);
+    }
+    if (joined.empty()) break;
+    for (const auto& [i, beside] : joined) cells.data[i] = beside;
+    open = std::move(left);
+  }
+  return open;
+}
+
+}  // namespace
+
+int cut_grains(Raster<Cell>& cells, const Raster<std::uint8_t>& cuts) {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!is_aggregate(cells.data[i])) continue;
+    cells.data[i] = cuts.data[i] != 0 ? open_cut : phase::aggregate;
+    if (cuts.data[i] != 0) open.push_back(i);
+  }
+  const int count = number_grains(cells);
+  open = close_cuts(cells, std::move(open));
+  for (const std::size_t i : open) cells.data[i] = phase::aggregate;
+  return open.empty() ? count : number_grains(cells);
+}
+
+namespace {
+
+/// Sets of numbers 0 to count - 1 that grow together; the smallest number of a set stands for it.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), 0U); }
+  [[nodiscard]] std::size_t root(std::size_t one) {
+    while (up_[one] != one) one = up_[one] = up_[up_[one]];
+    return one;
+  }
+  void unite(std::size_t a, std::size_t b) {
+    a = root(a);
+    b = root(b);
+    up_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> up_;
+};
+
+}  // namespace
+
+int join_grains(Raster<Cell>& cells, const Raster<std::uint8_t>& marks) {
+  const std::vector<std::int32_t> numbers = grain_numbers(cells);
+  const auto place_of = [&](Cell cell) {
+    return static_cast<std::size_t>(std::lower_bound(numbers.begin(), numbers.end(), cell - first_grain) -
+                                    numbers.begin());
+  };
+  const Components strokes = connected_pieces(marks, Connectivity::corners);
+  std::vector<std::int32_t> first(strokes.area.size(), -1);  // grain that each stroke met first
+  Sets sets(numbers.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (marks.data[i] == 0 || cells.data[i] < first_grain) continue;
+    std::int32_t& met = first[static_cast<std::size_t>(strokes.piece.data[i])];
+    const std::size_t here = place_of(cells.data[i]);
+    if (met < 0) met = static_cast<std::int32_t>(here);
+    sets.unite(static_cast<std::size_t>(met), here);
+  }
+  for (Cell& cell : cells.data)
+    if (cell >= first_grain) cell = grain(numbers[sets.root(place_of(cell))]);
+  return static_cast<int>(grain_numbers(cells).size());
+}
+
+namespace {
+
 /// Height of the landscape: distance to the rim of the grain, in sixteenths of a pixel.
 Raster<std::int32_t> heights_of(const Raster<Cell>& cells) {
   Raster<std::uint8_t> inside(cells.rows, cells.cols, 0);

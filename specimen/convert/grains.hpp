@@ -26,6 +26,15 @@ inline constexpr Cell first_grain = 256;
 /// @return the number of grains.
 int number_grains(Raster<Cell>& cells);
 
+/// Number the grains anew that are left apart where `cuts` is 1; the pixels of the cuts join the grains
+/// beside them.   @param cuts  shape of the cells.   @return the number of grains.
+int cut_grains(Raster<Cell>& cells, const Raster<std::uint8_t>& cuts);
+
+/// Give all grains the same number that one connected mark crosses, whether or not they touch.
+/// @param marks  1 where there is a mark, shape of the cells; marks that share a corner are connected.
+/// @return the number of grains.
+int join_grains(Raster<Cell>& cells, const Raster<std::uint8_t>& marks);
+
 /// Cut grains at their necks: a watershed on the distance to the outline that separates two maxima only if
 /// the saddle between them is lower than the lower maximum by more than `depth` times this maximum.
 /// @param depth  [-], 0 to 1.   @return the number of grains after the cut.

@@ -24,6 +24,7 @@ struct Sorted {
   bool is_taught = false;  ///< by strokes, which need no guesses about small pieces
   Raster<std::uint8_t> uncertain{};  ///< 1 where two phases are nearly as likely, per cell; empty = not known
   Raster<std::uint8_t> cuts{};       ///< 1 where strokes part aggregates, per cell; empty = nowhere
+  Raster<std::uint8_t> joins{};      ///< 1 where strokes make one aggregate of several, per cell
   std::string model{};               ///< what strokes taught, as a file holds it
   Raster<Rgb> shown{};  ///< a photograph to be looked at, as large as four million pixels show it
 };

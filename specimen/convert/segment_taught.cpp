@@ -60,6 +60,14 @@ Raster<std::uint8_t> labels_of_squares(const Raster<std::uint8_t>& labels, int f
   return cells;
 }
 
+/// Of squares of pixels: 1 where one of them is marked.
+Raster<std::uint8_t> marks_of_squares(const Raster<std::uint8_t>& marks, int factor) {
+  Raster<std::uint8_t> cells((marks.rows + factor - 1) / factor, (marks.cols + factor - 1) / factor, 0);
+  for (int r = 0; r < marks.rows; ++r)
+    for (int c = 0; c < marks.cols; ++c) cells(r / factor, c / factor) |= marks(r, c);
+  return cells;
+}
+
 std::string size_of(int rows, int cols) { return grouped(cols) + " x " + grouped(rows) + " px"; }
 
 /// The colours of a picture that is not needed any more, averaged.
@@ -232,6 +240,8 @@ Sorted segment_taught(Picture picture, Strokes strokes, const ConvertOptions& op
   if (shown.empty()) return sorted;
   tell_agreement(sorted.cells, shown, report);
   sorted.cuts = cuts_of(std::move(shown));
+  if (!strokes.joins.empty())
+    sorted.joins = marks_of_squares(repeated_to(std::move(strokes.joins), rows, cols), model.factor);
   return sorted;
 }
 

@@ -13,7 +13,8 @@
 namespace specimen {
 namespace {
 
-constexpr double widest_stroke = 1000;  ///< [px]
+constexpr double widest_stroke = 1000;          ///< [px]
+constexpr std::uint8_t one_grain_stroke = 253;  ///< in a table of paints only: joins are kept apart
 
 /// A colour that strokes may have, and what it shows.
 struct Paint {
@@ -23,11 +24,11 @@ struct Paint {
 
 std::vector<Paint> paints_for(const std::vector<std::pair<std::int64_t, std::string>>& names,
                               std::vector<std::string>& phases) {
-  std::vector<Paint> paints{{cut_colour, cut_stroke}};
+  std::vector<Paint> paints{{cut_colour, cut_stroke}, {one_grain_colour, one_grain_stroke}};
   for (const auto& [value, name] : names) {
-    if (value < 0 || value >= cut_stroke)
+    if (value < 0 || value >= one_grain_stroke)
       throw Error("convert.label_phases", "value " + std::to_string(value),
-                  "colours of strokes are those of the labels 0 to 253");
+                  "colours of strokes are those of the labels 0 to 252");
     const auto label = static_cast<std::size_t>(value);
     if (label < standard_phases().size() && name != standard_phases()[label])
       throw Error("convert.label_phases", std::to_string(value) + ":" + name,
@@ -45,8 +46,10 @@ std::vector<Paint> paints_for(const std::vector<std::pair<std::int64_t, std::str
 std::string palette_text(const std::vector<Paint>& paints, const std::vector<std::string>& phases) {
   std::vector<std::string> all;
   for (const Paint& paint : paints)
-    all.push_back((paint.label == cut_stroke ? "a cut between two aggregates" : phases[paint.label]) + " " +
-                  colour_text(paint.colour));
+    all.push_back((paint.label == cut_stroke         ? "a cut between two aggregates"
+                   : paint.label == one_grain_stroke ? "one grain of several"
+                                                     : phases[paint.label]) +
+                  " " + colour_text(paint.colour));
   return listed(all);
 }
 
@@ -71,6 +74,11 @@ class Strange {
   std::map<int, std::int64_t> count_;
   std::int64_t all_ = 0;
 };
+
+void mark(Raster<std::uint8_t>& marks, std::size_t pixel, int rows, int cols) {
+  if (marks.empty()) marks = Raster<std::uint8_t>(rows, cols, 0);
+  marks.data[pixel] = 1;
+}
 
 constexpr const char* how_to_paint =
     "paint on a new layer over the picture, in the colours of the phases, and save this layer alone as PNG";
@@ -99,6 +107,8 @@ Strokes painted_strokes(const Picture& drawn, const std::string& path,
                                     [&](const Paint& one) { return is_near(one.colour, colour); });
     if (paint == paints.end())
       strange.meet(colour);
+    else if (paint->label == one_grain_stroke)
+      mark(strokes.joins, i, drawn.rows(), drawn.cols());
     else
       strokes.labels.data[i] = paint->label;
   }
@@ -159,22 +169,19 @@ void check_line(const StrokeLine& line, int rows, int cols) {
 Strokes strokes_along(const std::vector<StrokeLine>& lines, int rows, int cols) {
   Strokes strokes;
   strokes.labels = Raster<std::uint8_t>(rows, cols, no_stroke);
-  Raster<std::int32_t> owner(rows, cols, -1);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const StrokeLine& line = lines[i];
+  for (const StrokeLine& line : lines) {
     check_line(line, rows, cols);
+    if (line.phase == one_grain_word) {
+      visit_line(line, rows, cols, [&](int row, int col) {
+        mark(strokes.joins, static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) + col, rows, cols);
+      });
+      continue;
+    }
     const std::uint8_t label = line.phase == cut_word ? cut_stroke : label_of(strokes.phases, line.phase);
     visit_line(line, rows, cols, [&](int row, int col) {
       std::uint8_t& here = strokes.labels(row, col);
-      if (here != no_stroke && here != label) {
-        const StrokeLine& other = lines[static_cast<std::size_t>(owner(row, col))];
-        throw Error(line.where,
-                    line.phase + " at column " + std::to_string(col) + ", row " + std::to_string(row),
-                    "the stroke at " + other.where + " says " + other.phase + " there",
-                    "a pixel has one phase: shorten or move one of the two");
-      }
+      if (here != no_stroke && here != label) ++strokes.painted_over;
       here = label;
-      owner(row, col) = static_cast<std::int32_t>(i);
     });
   }
   return strokes;

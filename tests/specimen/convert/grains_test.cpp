@@ -76,4 +76,53 @@ TEST(Split, KeepsGrainsApartThatWereApartBefore) {
   EXPECT_NE(cells(15, 29), cells(15, 30));
 }
 
+TEST(Cut, PartsAGrainAndLeavesNoPixelOut) {
+  Raster<Cell> cells = two_discs(20);
+  Raster<std::uint8_t> cut(60, 120, 0);
+  for (int r = 0; r < 60; ++r) cut(r, 59) = cut(r, 60) = 1;
+  const Raster<Cell> drawn = cells;
+  specimen::number_grains(cells);
+  EXPECT_EQ(specimen::cut_grains(cells, cut), 2);
+  EXPECT_EQ(cells(30, 59), cells(30, 44));
+  EXPECT_EQ(cells(30, 60), cells(30, 76));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    EXPECT_EQ(specimen::phase_of(cells.data[i]), specimen::phase_of(drawn.data[i]));
+}
+
+TEST(Cut, StrokeThatCoversAGrainLeavesItWhole) {
+  Raster<Cell> cells = two_discs(60, 10);
+  Raster<std::uint8_t> cut(60, 120, 0);
+  for (int r = 0; r < 60; ++r)
+    for (int c = 0; c < 60; ++c) cut(r, c) = 1;
+  specimen::number_grains(cells);
+  EXPECT_EQ(specimen::cut_grains(cells, cut), 2);
+}
+
+TEST(Join, MakesOneOfTheGrainsThatAMarkCrosses) {
+  Raster<Cell> cells(10, 50, specimen::phase::mortar);
+  for (int c = 0; c < 50; ++c)
+    for (int r = 2; r < 8; ++r)
+      if (c % 10 < 8) cells(r, c) = specimen::phase::aggregate;  // five of them, two pixels apart
+  ASSERT_EQ(specimen::number_grains(cells), 5);
+  Raster<std::uint8_t> marks(10, 50, 0);
+  for (int c = 4; c < 16; ++c) marks(5, c) = 1;
+  for (int c = 34; c < 45; ++c) marks(c < 40 ? 3 : 4, c) = 1;
+  EXPECT_EQ(specimen::join_grains(cells, marks), 3);
+  EXPECT_EQ(cells(5, 4), cells(2, 17));
+  EXPECT_EQ(cells(5, 34), cells(5, 44));
+  EXPECT_NE(cells(5, 4), cells(5, 24));
+  EXPECT_NE(cells(5, 24), cells(5, 34));
+  EXPECT_EQ(cells(5, 8), Cell{specimen::phase::mortar}) << "what lies between them stays";
+}
+
+TEST(Join, MarksThatMeetAreOne) {
+  Raster<Cell> cells(3, 30, specimen::phase::mortar);
+  for (const int c : {2, 12, 22}) cells(1, c) = specimen::phase::aggregate;
+  specimen::number_grains(cells);
+  Raster<std::uint8_t> marks(3, 30, 0);
+  for (int c = 2; c < 8; ++c) marks(0, c) = marks(1, c) = 1;
+  for (int c = 8; c < 23; ++c) marks(c < 12 ? 2 : 1, c) = 1;  // begins at a corner of the first
+  EXPECT_EQ(specimen::join_grains(cells, marks), 1);
+}
+
 }  // namespace grains_test

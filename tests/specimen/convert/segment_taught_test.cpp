@@ -25,6 +25,16 @@ Picture photo_of(const specimen_test::KnownTruth& truth, std::uint64_t seed = 1,
   return picture;
 }
 
+/// Strokes pixel by pixel.
+std::vector<specimen::StrokeLine> lines_of(const Raster<std::uint8_t>& strokes) {
+  std::vector<specimen::StrokeLine> lines;
+  for (int r = 0; r < strokes.rows; ++r)
+    for (int c = 0; c < strokes.cols; ++c)
+      if (strokes(r, c) != no_stroke)
+        lines.push_back({specimen::standard_phases()[strokes(r, c)], 1, {{c + 0.5, r + 0.5}}, "s"});
+  return lines;
+}
+
 class SegmentTaught : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -67,11 +77,7 @@ TEST_F(SegmentTaught, StonesAndPoresComeOutAsTheyAre) {
 TEST_F(SegmentTaught, LabelsOfLinesAreThoseOfThePaintedStrokes) {
   ConvertOptions lines = options_;
   lines.strokes.clear();
-  for (int r = 0; r < strokes_.rows; ++r)
-    for (int c = 0; c < strokes_.cols; ++c)
-      if (strokes_(r, c) != no_stroke)
-        lines.stroke_lines.push_back(
-            {specimen::standard_phases()[strokes_(r, c)], 1, {{c + 0.5, r + 0.5}}, "s"});
+  lines.stroke_lines = lines_of(strokes_);
   EXPECT_EQ(specimen::convert_picture(photo_of(truth_), lines).segmented.mask.labels,
             specimen::convert_picture(photo_of(truth_), options_).segmented.mask.labels);
 }
@@ -119,6 +125,35 @@ TEST_F(SegmentTaught, CutStrokePartsAStoneInTwo) {
   const auto row = static_cast<int>(stone.row), col = static_cast<int>(stone.col);
   EXPECT_NE(found.segmented.instances(row, col - 3), found.segmented.instances(row, col + 3));
   EXPECT_EQ(found.segmented.mask.labels(row, col), phase::aggregate);
+}
+
+TEST_F(SegmentTaught, OneGrainStrokeMakesOneStoneOfTwoAndUndoesACut) {
+  const auto& stones = truth_.stones;
+  ConvertOptions lines = options_;
+  lines.strokes.clear();
+  lines.stroke_lines = lines_of(strokes_);
+  const auto count = specimen::convert_picture(photo_of(truth_), lines).segmented.inclusions.size();
+  const auto line_through = [](const char* phase, const auto& a, const auto& b) {
+    return specimen::StrokeLine{phase, 2, {{a.col, a.row}, {b.col, b.row}}, "s"};
+  };
+  const auto& first = stones.front();
+  specimen::StrokeLine cut = line_through("cut", first, first);
+  cut.points = {{first.col, first.row - first.radius - 3}, {first.col, first.row + first.radius + 3}};
+  lines.stroke_lines.push_back(cut);
+  EXPECT_EQ(specimen::convert_picture(photo_of(truth_), lines).segmented.inclusions.size(), count + 1);
+  lines.stroke_lines.push_back(
+      {"one-grain", 2, {{first.col - 6, first.row}, {first.col + 6, first.row}}, "s"});
+  EXPECT_EQ(specimen::convert_picture(photo_of(truth_), lines).segmented.inclusions.size(), count);
+  lines.stroke_lines.push_back(line_through("one-grain", first, stones.back()));
+  const Converted found = specimen::convert_picture(photo_of(truth_), lines);
+  EXPECT_LT(found.segmented.inclusions.size(), count);
+  const auto grain_at = [&](const auto& stone) {
+    return found.segmented.instances(static_cast<int>(stone.row), static_cast<int>(stone.col));
+  };
+  EXPECT_EQ(grain_at(first), grain_at(stones.back()));
+  EXPECT_THAT(found.report.notes, Contains(HasSubstr("along strokes into")));
+  lines.crop = {0, 0, truth_.cols, truth_.rows - 60};  // the marks are cut as the strokes are
+  EXPECT_NO_THROW((void)specimen::convert_picture(photo_of(truth_), lines));
 }
 
 TEST_F(SegmentTaught, StrokesOfAnotherSizeAreRefused) {

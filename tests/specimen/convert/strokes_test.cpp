@@ -51,6 +51,17 @@ TEST(PaintedStrokes, ColoursOfThePhasesShowThem) {
   EXPECT_EQ(strokes.labels(3, 3), cut_stroke);
   EXPECT_EQ(strokes.labels(0, 4), no_stroke);
   EXPECT_EQ(strokes.labels(1, 0), no_stroke);
+  EXPECT_TRUE(strokes.joins.empty());
+}
+
+TEST(PaintedStrokes, MagentaMakesOneGrain) {
+  Picture picture = layer(3, 3);
+  paint(picture, 0, 0, {112, 128, 150});
+  paint(picture, 1, 2, {255, 0, 255});
+  const auto strokes = specimen::painted_strokes(picture, "s.png", {});
+  EXPECT_EQ(strokes.labels(1, 2), no_stroke);
+  EXPECT_EQ(strokes.joins(1, 2), 1);
+  EXPECT_EQ(strokes.joins(0, 0), 0);
 }
 
 TEST(PaintedStrokes, NamedPhasesHaveTheColoursOfTheirLabels) {
@@ -75,7 +86,7 @@ TEST(PaintedStrokes, OtherColoursAreRefusedWithThoseThatThereAre) {
       complaint,
       HasSubstr("s.png: 10 pixels of a colour that is no phase's, most of them #ff0000 at 10 pixels"));
   EXPECT_THAT(complaint, HasSubstr("aggregate #708096"));
-  EXPECT_THAT(complaint, HasSubstr("a cut between two aggregates #000000"));
+  EXPECT_THAT(complaint, HasSubstr("a cut between two aggregates #000000, one grain of several #ff00ff"));
 }
 
 TEST(PaintedStrokes, OpaqueAndEmptyLayersAreRefused) {
@@ -110,13 +121,29 @@ TEST(StrokesAlong, NewNamesAreNewPhasesAndCutIsNone) {
   EXPECT_EQ(strokes.labels(1, 5), cut_stroke);
 }
 
-TEST(StrokesAlong, ContradictionsAndMistakesAreRefusedWithTheirPlace) {
+TEST(StrokesAlong, LaterLineLiesOverEarlierOnes) {
   const std::vector<StrokeLine> crossing{{"mortar", 1, {{0, 4.5}, {9, 4.5}}, "s.csv:2"},
-                                         {"aggregate", 1, {{4.5, 0}, {4.5, 9}}, "s.csv:7"}};
-  EXPECT_EQ(complaint_of([&] { return specimen::strokes_along(crossing, 9, 9); }),
-            "s.csv:7: aggregate at column 4, row 4; the stroke at s.csv:2 says mortar there; a pixel has one "
-            "phase: "
-            "shorten or move one of the two");
+                                         {"aggregate", 1, {{4.5, 0}, {4.5, 9}}, "s.csv:7"},
+                                         {"cut", 1, {{0, 4.5}, {1, 4.5}}, "s.csv:9"}};
+  const auto strokes = specimen::strokes_along(crossing, 9, 9);
+  EXPECT_EQ(strokes.labels(4, 4), specimen::phase::aggregate);
+  EXPECT_EQ(strokes.labels(4, 5), specimen::phase::mortar);
+  EXPECT_EQ(strokes.labels(4, 0), cut_stroke);
+  EXPECT_EQ(strokes.painted_over, 3);
+}
+
+TEST(StrokesAlong, OneGrainLiesBesideAllOthers) {
+  const auto strokes = specimen::strokes_along(
+      {{"mortar", 1, {{0, 4.5}, {9, 4.5}}, "a"}, {"one-grain", 1, {{4.5, 0}, {4.5, 9}}, "b"}}, 9, 9);
+  EXPECT_EQ(strokes.labels(4, 4), specimen::phase::mortar);
+  EXPECT_EQ(strokes.labels(0, 4), no_stroke);
+  for (int r = 0; r < 9; ++r)
+    for (int c = 0; c < 9; ++c) EXPECT_EQ(strokes.joins(r, c), c == 4 ? 1 : 0) << r << " " << c;
+  EXPECT_EQ(strokes.phases, specimen::standard_phases());
+  EXPECT_EQ(strokes.painted_over, 0);
+}
+
+TEST(StrokesAlong, MistakesAreRefusedWithTheirPlace) {
   EXPECT_EQ(complaint_of([&] {
               return specimen::strokes_along({{"mortar", 1, {{3, 20}}, "s.csv:2"}}, 9, 9);
             }),
