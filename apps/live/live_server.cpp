@@ -42,8 +42,7 @@ namespace {
 constexpr const char* host = "127.0.0.1";
 constexpr std::size_t threads = 8;                        ///< more readers than that wait for each other
 constexpr std::size_t most_waiting = 32;                  ///< of more the oldest connections are closed
-constexpr int largest_request = 1;                        ///< [bytes] of content: there is none to send
-constexpr std::size_t largest_header = 16384;             ///< of a request, all lines of it [bytes]
+constexpr std::size_t largest_header = 16384;             ///< of a request, all its lines [bytes]
 constexpr std::chrono::milliseconds to_ask{2000};         ///< for the whole of a request
 constexpr std::chrono::milliseconds to_ask_in_turn{100};  ///< the same while others wait for the thread
 constexpr std::chrono::milliseconds to_take{10000};       ///< for the whole of an answer
@@ -85,9 +84,9 @@ using Clock = std::chrono::steady_clock;
 /// A connection that has so much time for a request and for its answer, however the bytes come.
 class TimedStream : public httplib::Stream {
  public:
-  /// @param others_wait  whether others wait now; asked again and again.
-  TimedStream(socket_t socket, const std::atomic<bool>& others_wait)
-      : socket_(socket), others_wait_(others_wait) {}
+  /// @param others_wait  whether others wait now; asked again and again.   @param largest_content  [bytes]
+  TimedStream(socket_t socket, const std::atomic<bool>& others_wait, std::size_t largest_content)
+      : socket_(socket), others_wait_(others_wait), largest_content_(largest_content) {}
 
   [[nodiscard]] bool is_readable() const override {
     while (true) {
@@ -99,9 +98,9 @@ class TimedStream : public httplib::Stream {
   [[nodiscard]] bool is_writable() const override { return is_ready(POLLOUT, begin_ + to_ask + to_take); }
 
   ssize_t read(char* bytes, std::size_t size) override {
-    if (taken_ >= largest_header || !is_readable()) return -1;
-    const ssize_t count = ::recv(socket_, bytes, std::min(size, largest_header - taken_), MSG_DONTWAIT);
-    if (count > 0) taken_ += static_cast<std::size_t>(count);
+    if (taken_ >= most_ || !is_readable()) return -1;
+    const ssize_t count = ::recv(socket_, bytes, std::min(size, most_ - taken_), MSG_DONTWAIT);
+    if (count > 0) note(std::string_view(bytes, static_cast<std::size_t>(count)));
     return count;
   }
   ssize_t write(const char* bytes, std::size_t size) override {
@@ -118,19 +117,37 @@ class TimedStream : public httplib::Stream {
   }
   [[nodiscard]] socket_t socket() const override { return socket_; }
 
-  /// Says that a request is too large, where it is; the rest of it is passed over, since what was said is
-  /// lost where a connection is closed over bytes that nobody has read.
+  /// Says that the lines of a request are too many, where they are.
   void refuse_if_too_large() {
-    if (taken_ < largest_header) return;
+    if (is_in_content_ || taken_ < most_) return;
     constexpr std::string_view answer =
         "HTTP/1.1 431 Request Header Fields Too Large\r\nConnection: close\r\nContent-Length: 0\r\n\r\n";
     (void)write(answer.data(), answer.size());
+    pass_over_rest();
+  }
+
+  /// What was said is lost where a connection is closed over bytes that nobody has read.
+  void pass_over_rest() {
     ::shutdown(socket_, SHUT_WR);
     std::array<char, 4096> rest{};
     while (is_readable() && ::recv(socket_, rest.data(), rest.size(), MSG_DONTWAIT) > 0) continue;
   }
 
  private:
+  /// An empty line ends the lines of the request; as much content may follow as is allowed.
+  void note(std::string_view bytes) {
+    taken_ += bytes.size();
+    constexpr std::string_view empty_line = "\r\n\r\n";
+    for (const char byte : bytes) {
+      if (is_in_content_) return;
+      seen_ = byte == empty_line[seen_] ? seen_ + 1 : byte == '\r' ? 1 : 0;
+      is_in_content_ = seen_ == empty_line.size();
+      if (is_in_content_) most_ = taken_ + largest_content_ + chunk_lines;
+    }
+  }
+
+  static constexpr std::size_t chunk_lines = 1024;  ///< of content that comes in pieces [bytes]
+
   [[nodiscard]] bool is_ready(short what, Clock::time_point until) const {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     pollfd asked{socket_, what, 0};
@@ -139,18 +156,25 @@ class TimedStream : public httplib::Stream {
 
   socket_t socket_;
   const std::atomic<bool>& others_wait_;
+  std::size_t largest_content_;
   Clock::time_point begin_ = Clock::now();
-  std::size_t taken_ = 0;
+  std::size_t taken_ = 0, most_ = largest_header;
+  std::size_t seen_ = 0;  ///< letters of the empty line
+  bool is_in_content_ = false;
 };
 
 /// What this thread is given is closed, and not answered.
 thread_local bool refuses = false;
+
+/// The answer of this thread is an error, so that there may be more of the request.
+thread_local bool is_error = false;
 
 /// The server of httplib with an end to every connection: it gives the time of a socket call only, so that a
 /// request that comes byte by byte would take any time.
 class TimedServer : public httplib::Server {
  public:
   std::atomic<bool> others_wait = false;  ///< for a thread: requests are cut short
+  std::size_t largest_content = 1;        ///< of a request [bytes]
 
   void close_all() {
     const std::lock_guard lock(mutex_);
@@ -162,9 +186,11 @@ class TimedServer : public httplib::Server {
   bool process_and_close_socket(socket_t socket) override {
     bool is_answered = false, is_closed = false;
     if (!refuses && enter(socket)) {
-      TimedStream stream(socket, others_wait);
+      TimedStream stream(socket, others_wait, largest_content);
+      is_error = false;
       is_answered = process_request(stream, true, is_closed, {});
       if (!is_answered) stream.refuse_if_too_large();
+      if (is_error) stream.pass_over_rest();
     }
     leave(socket);
     ::shutdown(socket, SHUT_RDWR);
@@ -283,9 +309,17 @@ struct LiveServer::Parts {
   int port = 0;
   std::thread listener;
 
+  /// Whether a text, without what stands before, names this server.
+  [[nodiscard]] bool is_this(const std::string& text, const char* before) const {
+    return text == fmt::format("{}{}:{}", before, host, port) ||
+           text == fmt::format("{}localhost:{}", before, port);
+  }
+
   [[nodiscard]] bool may_ask(const httplib::Request& request) const {
-    const std::string asked = request.get_header_value("Host");
-    if (asked != fmt::format("{}:{}", host, port) && asked != fmt::format("localhost:{}", port)) return false;
+    if (!is_this(request.get_header_value("Host"), "")) return false;
+    if (request.method != "GET" && request.has_header("Origin") &&
+        !is_this(request.get_header_value("Origin"), "http://"))
+      return false;
     const std::string_view path = request.path;
     return path.size() > token.size() + 1 && path[token.size() + 1] == '/' &&
            same_secret(path.substr(1, token.size()), token);
@@ -302,7 +336,8 @@ struct LiveServer::Parts {
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
     server.set_keep_alive_max_count(1);  // a connection that stays open would hold up the end
-    server.set_payload_max_length(largest_request);
+    server.largest_content = answers.largest_order;
+    server.set_payload_max_length(answers.largest_order);
     server.set_default_headers(headers());
     server.set_pre_routing_handler([this](const Request& request, Response& response) {
       if (may_ask(request)) return Handled::Unhandled;
@@ -312,6 +347,7 @@ struct LiveServer::Parts {
     server.set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
       response.status = 500;  // the run does not suffer from those who watch it
     });
+    server.set_error_handler([](const Request&, Response&) { is_error = true; });
     server.Get("/[0-9a-f]+/", [this](const Request&, Response& response) {
       std::optional<std::string> page = answers.page();
       if (!page) response.status = 503;
@@ -328,6 +364,20 @@ struct LiveServer::Parts {
       answers.stop();
       response.status = 204;
     });
+    const auto reply = [](Response& response, LiveReply with) {
+      response.status = with.status;
+      if (with.status >= 400)  // its length must be known before the error handler is asked
+        response.set_content(with.body, with.type);
+      else
+        send(response, std::move(with.body), with.type);
+    };
+    for (const auto& [name, part] : answers.parts)
+      server.Get("/[0-9a-f]+/" + name,
+                 [reply, &part](const Request&, Response& response) { reply(response, part()); });
+    for (const auto& [name, order] : answers.orders)
+      server.Post("/[0-9a-f]+/" + name, [reply, &order](const Request& request, Response& response) {
+        reply(response, order(request.body));
+      });
   }
 };
 
@@ -344,8 +394,9 @@ LiveServer::LiveServer(int port, LiveAnswers answers) try : parts_(std::make_uni
     std::this_thread::yield();  // else stop() would come too early to be heard
   parts_->readers->grow();
 } catch (const std::system_error& error) {
-  throw Rejected(Exit::interrupted, "--serve", error.what(), "needs two threads beside the run",
-                 "end other programs, raise the limit on processes (ulimit -u), or leave --serve out");
+  const std::string option = answers.option;  // a pointer, which is there after the move too
+  throw Rejected(Exit::interrupted, option, error.what(), "needs two threads beside the run",
+                 "end other programs, raise the limit on processes (ulimit -u), or leave " + option + " out");
 }
 
 LiveServer::~LiveServer() {

@@ -215,34 +215,6 @@ std::string stroke_list_text(const std::vector<StrokeLine>& lines) {
   return text;
 }
 
-namespace {
-
-/// Lines along the runs of a value in the rows of a raster.
-void add_runs(const specimen::Raster<std::uint8_t>& values, std::uint8_t value, const std::string& phase,
-              std::vector<StrokeLine>& lines) {
-  for (int r = 0; r < values.rows; ++r)
-    for (int c = 0; c < values.cols; ++c) {
-      if (values(r, c) != value) continue;
-      const int begin = c;
-      while (c + 1 < values.cols && values(r, c + 1) == value) ++c;
-      StrokeLine line{phase, 1, {{begin + 0.5, r + 0.5}}};
-      if (c > begin) line.points.emplace_back(c + 0.5, r + 0.5);
-      lines.push_back(std::move(line));
-    }
-}
-
-}  // namespace
-
-std::vector<StrokeLine> lines_of(const specimen::Strokes& painted) {
-  std::vector<StrokeLine> lines;
-  for (std::size_t label = 0; label < painted.phases.size(); ++label)
-    if (!painted.phases[label].empty())
-      add_runs(painted.labels, static_cast<std::uint8_t>(label), painted.phases[label], lines);
-  add_runs(painted.labels, specimen::cut_stroke, specimen::cut_word, lines);
-  add_runs(painted.joins, 1, specimen::one_grain_word, lines);
-  return lines;
-}
-
 std::vector<specimen::StrokeLine> read_stroke_list(const std::string& path) {
   return parse_stroke_list(read_text_file(path, longest_table), path);
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "specimen/convert/convert.hpp"
-#include "specimen/convert/strokes.hpp"
 
 namespace app {
 
@@ -27,8 +26,5 @@ namespace app {
 
 /// Strokes as CSV, which read_stroke_list() reads as the same lines.
 [[nodiscard]] std::string stroke_list_text(const std::vector<specimen::StrokeLine>& lines);
-
-/// Painted strokes as lines that cover the same pixels: one of width 1 for each row of a piece.
-[[nodiscard]] std::vector<specimen::StrokeLine> lines_of(const specimen::Strokes& painted);
 
 }  // namespace app

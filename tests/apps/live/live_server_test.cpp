@@ -8,7 +8,9 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 #include "apps/text/complaint.hpp"
 
@@ -27,14 +29,32 @@ class Server : public testing::Test {
   }
 
   std::atomic<int> stops_ = 0;
+  [[nodiscard]] std::string ordered() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(ordered_, "");
+  }
+
+  std::mutex mutex_;
+  std::string ordered_;
   std::optional<std::string> page_ = "<p>page</p>";
-  app::LiveServer server_{0,
-                          {[this] { return page_; },
-                           [](std::int64_t have) {
-                             if (have == 13) throw std::runtime_error("no luck");
-                             return have < 7 ? std::optional<std::string>("{\"number\": 7}") : std::nullopt;
-                           },
-                           [this] { ++stops_; }}};
+  app::LiveServer server_{
+      0,
+      {[this] { return page_; },
+       [](std::int64_t have) {
+         if (have == 13) throw std::runtime_error("no luck");
+         return have < 7 ? std::optional<std::string>("{\"number\": 7}") : std::nullopt;
+       },
+       [this] { ++stops_; },
+       {{"part",
+         [] {
+           return app::LiveReply{200, "\x01\x02", "application/octet-stream"};
+         }}},
+       {{"order",
+         [this](const std::string& content) {
+           ordered_ = content;
+           return content == "bad" ? app::LiveReply{400, "{\"error\": \"bad\"}"} : app::LiveReply{200, "{}"};
+         }}},
+       1000}};
   std::string address_ = server_.address();
   httplib::Client client_{origin()};
 };
@@ -53,6 +73,52 @@ TEST_F(Server, StopsOnlyWhenItIsPosted) {
   EXPECT_EQ(stops_, 0);
   EXPECT_EQ(client_.Post(root() + "stop")->status, 204);
   EXPECT_EQ(stops_, 1);
+}
+
+TEST_F(Server, GivesFurtherPartsAndTakesOrders) {
+  const auto part = client_.Get(root() + "part");
+  EXPECT_EQ(part->body, "\x01\x02");
+  EXPECT_EQ(part->get_header_value("Content-Type"), "application/octet-stream");
+  EXPECT_EQ(client_.Post(root() + "order", "do it", "application/json")->status, 200);
+  EXPECT_EQ(ordered(), "do it");
+  EXPECT_EQ(status(root() + "order"), 404) << "it must be posted";
+  const auto refused = client_.Post(root() + "order", "bad", "application/json");
+  EXPECT_EQ(refused->status, 400);
+  EXPECT_EQ(refused->body, "{\"error\": \"bad\"}");
+}
+
+TEST_F(Server, DoesNothingWithAnOrderThatIsTooLarge) {
+  EXPECT_EQ(client_.Post(root() + "order", std::string(1000, 'x'), "text/plain")->status, 200);
+  EXPECT_EQ(ordered().size(), 1000U);
+  for (const std::size_t size : {std::size_t{1001}, std::size_t{30'000}, std::size_t{5'000'000}}) {
+    const auto answer = client_.Post(root() + "order", std::string(size, 'x'), "text/plain");
+    ASSERT_TRUE(answer) << size;
+    EXPECT_EQ(answer->status, 413) << size;
+  }
+  const auto in_pieces = client_.Post(
+      root() + "order",
+      [](std::size_t offset, httplib::DataSink& sink) {
+        if (offset >= 100'000) sink.done();
+        return sink.write(std::string(1000, 'x').data(), 1000);
+      },
+      "text/plain");
+  EXPECT_TRUE(!in_pieces || in_pieces->status == 413);
+  EXPECT_EQ(ordered(), "");
+  EXPECT_EQ(client_.Post(root() + "order", "again", "text/plain")->status, 200);
+}
+
+TEST_F(Server, TakesNoOrdersFromOthers) {
+  std::string wrong = root();
+  wrong[5] = wrong[5] == '0' ? '1' : '0';
+  EXPECT_EQ(client_.Post(wrong + "order", "x", "text/plain")->status, 404);
+  EXPECT_EQ(client_.Post(root() + "order", {{"Host", "evil.example"}}, "x", "text/plain")->status, 404);
+  for (const std::string origin : {"http://evil.example", "null", "http://127.0.0.1:1"})
+    EXPECT_EQ(client_.Post(root() + "order", {{"Origin", origin}}, "x", "text/plain")->status, 404) << origin;
+  EXPECT_EQ(client_.Post(root() + "stop", {{"Origin", "http://evil.example"}}, "", "text/plain")->status,
+            404);
+  EXPECT_EQ(ordered(), "");
+  EXPECT_EQ(stops_, 0);
+  EXPECT_EQ(client_.Post(root() + "order", {{"Origin", this->origin()}}, "x", "text/plain")->status, 200);
 }
 
 TEST_F(Server, AsksToComeAgainWhereThereIsNoPageYet) {
@@ -213,6 +279,19 @@ TEST_F(Server, GivesASlowGuestLittleTime) {
     listens = guest.say("x");
   }
   EXPECT_LT(seconds_since(begin), 4);
+}
+
+TEST_F(Server, TakesOrdersBesideGuestsWhoseOrdersComeSlowly) {
+  std::vector<std::unique_ptr<Guest>> guests;
+  for (int i = 0; i < 40; ++i) {
+    guests.push_back(std::make_unique<Guest>(port()));
+    EXPECT_TRUE(guests.back()->say("POST " + root() + "order HTTP/1.1\r\nHost: localhost:" +
+                                   std::to_string(port()) + "\r\nContent-Length: 900\r\n\r\nx"));
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(client_.Post(root() + "order", "mine", "text/plain")->status, 200);
+  EXPECT_LT(seconds_since(begin), 5);
+  EXPECT_EQ(ordered(), "mine") << "half an order is none";
 }
 
 TEST_F(Server, TakesNoEndlessHeader) {

@@ -105,24 +105,4 @@ TEST(StrokeList, WrittenLinesAreReadAsTheSame) {
   }
 }
 
-TEST(StrokeList, LinesOfPaintedStrokesCoverTheSamePixels) {
-  specimen::Strokes painted;
-  painted.labels = specimen::Raster<std::uint8_t>(6, 9, specimen::no_stroke);
-  painted.joins = specimen::Raster<std::uint8_t>(6, 9, 0);
-  painted.phases.resize(6);
-  painted.phases[5] = "fibre";
-  for (const int c : {0, 1, 2, 5, 8}) painted.labels(1, c) = specimen::phase::mortar;
-  for (int r = 2; r < 6; ++r) painted.labels(r, 4) = painted.labels(r, 8) = 5;
-  painted.labels(0, 8) = specimen::cut_stroke;
-  painted.joins(1, 5) = painted.joins(2, 5) = 1;
-  const specimen::Strokes again = specimen::strokes_along(app::lines_of(painted), 6, 9);
-  for (int r = 0; r < 6; ++r)
-    for (int c = 0; c < 9; ++c) {
-      const std::uint8_t was = painted.labels(r, c), is = again.labels(r, c);
-      EXPECT_EQ(is == 4 ? 5 : is, was) << r << " " << c << ": a phase of one's own has the next free label";
-    }
-  EXPECT_EQ(again.joins, painted.joins);
-  EXPECT_EQ(again.painted_over, 0);
-}
-
 }  // namespace stroke_list_test
