@@ -201,6 +201,21 @@ def segmentation(here):
     keep(row, "segmentation", 64)
 
 
+def editing(here):
+    """The page on which strokes teach the same picture."""
+    if not (here / "segmentation").exists():
+        follow("segmentation.md", here / "segmentation")
+    process = subprocess.Popen([mesopix, "convert", "difficult.ppm", "--edit", "--strokes", "strokes.csv", "--width", "60 mm",
+                                "-o", "edited.h5"], cwd=here / "segmentation", stderr=subprocess.PIPE, text=True)
+    browser = Browser(re.search(r"http://\S+", process.stderr.readline()).group(0), 1280, 860)
+    browser.wait("editor.desk.mask && !editor.state.is_sorting")
+    browser.do("editor.set_opacity(40)")
+    keep(browser.picture(), "editing")
+    browser.driver.quit()
+    process.terminate()
+    process.communicate()
+
+
 def stiffness(here):
     """Young's modulus of generated specimens over their width, three each, and of a picture, between their bounds."""
     def told(*inputs):
@@ -248,7 +263,7 @@ def stiffness(here):
 
 
 pictures = {one.__name__: one for one in (report, phone, live, comparison, study, damage, stress, paraview, imagej, tutorial_specimen,
-                                           tutorial_damage, segmentation, stiffness)}
+                                           tutorial_damage, segmentation, editing, stiffness)}
 wanted = sys.argv[2:] or list(pictures)
 for name in wanted:
     if name not in pictures:

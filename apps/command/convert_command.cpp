@@ -5,11 +5,14 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 
+#include "apps/edit/editing.hpp"
 #include "apps/job/specimen_report.hpp"
 #include "apps/job/specimen_source.hpp"
 #include "apps/scene/input.hpp"
+#include "apps/scene/stroke_list.hpp"
 #include "apps/text/complaint.hpp"
 #include "apps/text/figures.hpp"
 #include "apps/text/text_parts.hpp"
@@ -88,6 +91,10 @@ class ConvertCommand : public SettingsCommand {
            file_form(picture_endings(), "LABELS"));
     option("--save-model", save_model_, "keep what the strokes taught, for further pictures with --model",
            file_form({"mesomodel"}, "MODEL"));
+    flag("--edit", edit_,
+         "draw strokes on a page in a browser on this machine, which shows what they teach; the address is "
+         "printed");
+    option("--port", port_, "of --edit on 127.0.0.1 [any that is free]", QuantityCodec().form());
     json_and_quiet("figures as JSON on standard output");
   }
 
@@ -102,26 +109,93 @@ class ConvertCommand : public SettingsCommand {
                         : output_;
     check_output(output, picture);
     check_save_model(resolved.settings);
-    const Prepared prepared = prepare_or_show_ways(console, resolved.settings);
-    auto figures = specimen_json(prepared.specimen, {});
-    if (!reference_.empty())
-      figures.update(compare(prepared.segmentation, resolved.settings.convert, reference_));
-    if (!std::isnan(prepared.uncertain_share)) figures["uncertain"] = prepared.uncertain_share;
-    std::vector<std::string> files =
-        write_specimen_output(output, prepared.specimen, prepared.photograph, prepared.uncertain);
-    if (!save_model_.empty()) {
-      specimen::replace_file(save_model_, std::as_bytes(std::span(prepared.model)));
-      files.push_back(save_model_);
-    }
-    report_specimen(console, json_, prepared, figures, files);
-    if (!reference_.empty() && !json_) say_agreement(console, figures);
+    if (!edit_ && !port_.empty())
+      throw Rejected(Exit::usage, "--port", port_, "is for --edit, which is not given", "add --edit");
+    if (edit_) return edit(console, std::move(resolved.settings), output);
+    report(console, convert(console, resolved.settings, output));
     return Exit::ok;
   }
 
  private:
+  /// What came of a picture, written already.
+  struct Conversion {
+    Prepared prepared;
+    nlohmann::ordered_json figures;
+    std::vector<std::string> files;
+  };
+
+  Conversion convert(Console& console, const Settings& settings, const std::string& output) const {
+    Conversion done{prepare_or_show_ways(console, settings), {}, {}};
+    const Prepared& prepared = done.prepared;
+    done.figures = specimen_json(prepared.specimen, {});
+    if (!reference_.empty())
+      done.figures.update(compare(prepared.segmentation, settings.convert, reference_));
+    if (!std::isnan(prepared.uncertain_share)) done.figures["uncertain"] = prepared.uncertain_share;
+    done.files = write_specimen_output(output, prepared.specimen, prepared.photograph, prepared.uncertain);
+    if (!save_model_.empty()) {
+      specimen::replace_file(save_model_, std::as_bytes(std::span(prepared.model)));
+      done.files.push_back(save_model_);
+    }
+    return done;
+  }
+
+  void report(Console& console, const Conversion& done) const {
+    report_specimen(console, json_, done.prepared, done.figures, done.files);
+    if (!reference_.empty() && !json_) say_agreement(console, done.figures);
+  }
+
+  [[nodiscard]] int port() const {
+    return port_.empty() ? 0 : read_option("port", port_, IntegerCodec<int>{between(1, 65535)});
+  }
+
+  /// On a page, which makes specimens as often as the person wants.
+  Exit edit(Console& console, Settings settings, const std::string& output) const {
+    const int port = this->port();
+    const std::string picture = settings.specimen.picture;
+    const std::string file = strokes_file_for(picture, output);
+    EditBeginning beginning = begin_to_edit(settings, settings_.assignments(), file);
+    StrokeBook book(file, beginning.lines, beginning.picture.rows(), beginning.picture.cols());
+    EditTask task{
+        std::move(beginning.picture), std::filesystem::path(picture).filename().string(),
+        settings.convert.crop, std::move(beginning.given),
+        [this](const std::vector<Assignment>& given) { return resolve_picture(input_, given).settings; }};
+    std::optional<Conversion> last;
+    const Exit code = edit_picture(
+        picture, std::move(task), std::move(book), port,
+        [&](const EditSession::Wanted& wanted) { return make(console, wanted, output, last); }, console);
+    if (json_ && last) report(console, *last);
+    return code;
+  }
+
+  /// A specimen of the strokes of a page, as the command that is told makes it.
+  Made make(Console& console, const EditSession::Wanted& wanted, const std::string& output,
+            std::optional<Conversion>& last) const {
+    const std::filesystem::path path(output);
+    Made made;
+    made.strokes = (path.parent_path() / (path.stem().string() + "_strokes.csv")).string();
+    const std::string text = stroke_list_text(wanted.lines);
+    specimen::replace_file(made.strokes, std::as_bytes(std::span(text)));
+    std::vector<Assignment> given = wanted.given;
+    given.push_back(given_as_option("convert.strokes", Kind::path, "--strokes", made.strokes));
+    Settings settings = resolve_picture(input_, given).settings;
+    settle_source(settings);
+    last = convert(console, settings, output);
+    last->files.push_back(made.strokes);
+    if (!json_) report(console, *last);
+    made.files = last->files;
+    made.command = command_with(given, output);
+    made.figures = last->figures;
+    made.uncertain = last->prepared.uncertain_share;
+    made.notes = last->prepared.notes;
+    made.segmentation = std::move(last->prepared.segmentation);
+    made.uncertain_at = std::move(last->prepared.uncertain);
+    console.say("the same without the page: " + made.command);
+    return made;
+  }
+
   void check_save_model(const Settings& settings) const {
     if (save_model_.empty()) return;
-    if (settings.convert.strokes.empty())
+    if (settings.convert.strokes.empty() && !edit_)
       throw Rejected(Exit::usage, "--save-model", save_model_, "needs strokes that teach a model",
                      "give --strokes STROKES");
     if (std::filesystem::path(save_model_).extension() != ".mesomodel")
@@ -140,26 +214,40 @@ class ConvertCommand : public SettingsCommand {
       });
     } catch (const specimen::TwoReadings& two) {
       std::string ways;
-      for (const std::string& phases : two.label_phases)
-        ways += (ways.empty() ? "either: " : ", or: ") + command_with(phases);
+      for (const std::string& phases : two.label_phases) {
+        std::vector<Assignment> given = settings_.assignments();
+        std::erase_if(given, [](const Assignment& one) { return one.key == "convert.label_phases"; });
+        given.push_back(
+            given_as_option("convert.label_phases", Kind::list, option_name("label-phases"), phases));
+        ways += (ways.empty() ? "either: " : ", or: ") + command_with(given, output_);
+      }
       throw Rejected(Exit::data, two.field, two.value, two.allowed, ways);
     }
   }
 
-  /// This command once more, with the phases of the labels.
-  [[nodiscard]] std::string command_with(const std::string& label_phases) const {
+  /// This command once more, with other settings.
+  [[nodiscard]] std::string command_with(const std::vector<Assignment>& given,
+                                         const std::string& output) const {
     std::string command = "mesopix convert " + shell_word(input_);
-    for (const Assignment& given : settings_.assignments())
-      if (given.key != "convert.label_phases" && given.field.starts_with("--"))
-        command += " " + given.field + " " + shell_word(given.written);
-    command += " " + option_name("label-phases") + " " + shell_word(label_phases);
-    if (!output_.empty()) command += " -o " + shell_word(output_);
+    for (const Assignment& one : given) {
+      if (!one.field.starts_with("--")) continue;
+      command += one.field.starts_with("--set ") ? " --set" : " " + one.field;
+      if (one.field.starts_with("--set "))
+        command += " " + shell_word(one.key + "=" + one.written);
+      else if (find_field(one.key)->form.kind != Kind::boolean)
+        command += " " + shell_word(one.written);
+      else if (one.written != "true")
+        command += "=" + one.written;
+    }
+    if (!output.empty()) command += " -o " + shell_word(output);
     return command;
   }
 
   std::string input_;
   std::string reference_;
   std::string save_model_;
+  bool edit_ = false;
+  std::string port_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 # The script and the style of the report page become part of the program: a page needs nothing beside itself.
-set(page_files third_party/uPlot.min.css third_party/uPlot.iife.min.js third_party/gifenc.js report.css bytes.js charts.js film.js save.js report.js watch.js)
+set(page_files third_party/uPlot.min.css third_party/uPlot.iife.min.js third_party/gifenc.js report.css bytes.js charts.js film.js save.js report.js watch.js edit.css desk.js edit.js)
 foreach(file ${page_files})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/page/${file})
   get_filename_component(name ${file} NAME_WE)

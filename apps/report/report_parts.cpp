@@ -72,6 +72,16 @@ std::string watching_page(const std::string& title, const std::string& html, con
                        watching_script());
 }
 
+std::string editing_page(const std::string& title, const std::string& html, const std::string& data) {
+  const std::string script = script_text(editing_script());
+  return page_of(
+      title, fmt::format("{}; connect-src 'self'; script-src {}", no_network, digest_of(script)),
+      report_style() + std::string(editing_style()) + "\n",
+      fmt::format(
+          "{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n", html,
+          data, script));
+}
+
 std::string part(const std::string& id, const std::string& html) {
   return fmt::format("<div id=\"part-{}\">\n{}</div>\n", id, html);
 }

@@ -33,6 +33,11 @@ struct Fact {
 [[nodiscard]] std::string watching_page(const std::string& title, const std::string& html,
                                         const std::string& data);
 
+/// A page that fills the window, with the script by which strokes are drawn over a picture. It asks the
+/// server that it came from, and no other.
+[[nodiscard]] std::string editing_page(const std::string& title, const std::string& html,
+                                       const std::string& data);
+
 /// A piece of a page that a script may replace.
 [[nodiscard]] std::string part(const std::string& id, const std::string& html);
 
@@ -106,5 +111,7 @@ struct Fact {
 [[nodiscard]] std::string_view animation_library();  ///< gifenc, a CommonJS module: fills `exports`
 [[nodiscard]] std::string_view report_script();      ///< ours, which needs both
 [[nodiscard]] std::string_view watching_script();    ///< follows it on the page of a run that goes on
+[[nodiscard]] std::string_view editing_style();      ///< CSS of the page on which strokes are drawn
+[[nodiscard]] std::string_view editing_script();     ///< all that it does
 
 }  // namespace output

@@ -40,11 +40,12 @@ rooms = {
     "apps/scene": "apps/settings",
     "apps/live": "apps/report apps/system",
     "apps/job": "apps/scene",
+    "apps/edit": "apps/job apps/live",
     "apps/run": "apps/job apps/live apps/statistics",
     "apps/twin": "apps/job apps/report",
     "apps/calibrate": "apps/run",
     "apps/study": "apps/run",
-    "apps/command": "apps/study apps/calibrate apps/twin apps/export",
+    "apps/command": "apps/study apps/calibrate apps/twin apps/edit apps/export",
     "apps/reproduce": "apps/command",
     "apps/bench": "apps/reproduce libmpm/problems",
     "apps": "apps/bench",
@@ -55,6 +56,7 @@ rooms = {
 sees_inside = {
     "apps/system": "libmpm/kernels libmpm/solver",                   # doctor: instruction sets, idle cores
     "apps/run": "libmpm/solver specimen/convert",                    # the time step; pixels twice as large
+    "apps/edit": "specimen/convert",                                 # sketches, and strokes as they are read
     "apps/command": "libmpm/kernels libmpm/solver libmpm/files specimen/picture",  # scene check and doctor
     "apps/bench": "libmpm/kernels libmpm/material libmpm/solver libmpm/solver/lattice libmpm/solver/moving libmpm/problems",
     "apps/python": "specimen/picture",                               # pictures that come as arrays
@@ -70,6 +72,7 @@ may_include = [
 ]
 never_in_libraries = re.compile(r"\b(std::c(out|err|log)|f?printf|puts|perror|(std::)?_?exit|abort|terminate)\s*(\(|<<)")
 may_read_environment = {
+    "apps/system/browser.cpp",    # DISPLAY: whether there is a screen
     "apps/system/processes.cpp",  # hands it on to the programs that it runs
     "apps/system/terminal.cpp",       # TERM and NO_COLOR: what a terminal can show, and who sits before it wants to see
 }
