@@ -82,13 +82,27 @@ TEST_F(ConvertCommand, MistakesAreRefusedBeforeAnythingIsWritten) {
                  "--save-model: m.mesomodel; needs strokes that teach a model; give --strokes STROKES");
   command_.insert(command_.end(), {"--save-model", "m.h5"});
   expect_refusal(command_, Exit::usage, "--save-model: m.h5; must end in .mesomodel");
-  test::write_text("strokes.csv", strokes_ + "4,aggregate,3,10,10\n");
+  test::write_text("strokes.csv", strokes_ + "4,aggregate,3,10,110\n");
   command_.resize(7);
-  expect_refusal(command_, Exit::data,
-                 "strokes.csv: stroke 4: aggregate at column 9, row 9; the stroke at "
-                 "strokes.csv: stroke 2 says mortar there; a pixel has one phase: shorten or move "
-                 "one of the two");
+  expect_refusal(
+      command_, Exit::data,
+      "strokes.csv: stroke 4: a point at x = 10, y = 110 px; must lie on the picture of 100 x 100 px; "
+      "x counts pixels from the left and y from the top");
   EXPECT_FALSE(fs::exists("photo.h5"));
+}
+
+TEST_F(ConvertCommand, PageIsRefusedBeforeItBeginsWhereItMakesNoSense) {
+  expect_refusal({"photo.pgm", "--port", "8000"},
+                 "--port: 8000; is for --edit, which is not given; add --edit");
+  expect_refusal({"photo.pgm", "--edit", "--port", "0"}, "--port: 0; must lie in [1, 65535]");
+  expect_refusal({"photo.pgm", "--edit", "--model", "m.mesomodel"},
+                 "--edit: given with convert.model; a model needs no strokes; leave one of the two out");
+  expect_refusal(
+      {"photo.pgm", "--edit", "--method", "kmeans"},
+      "--edit: given with convert.method = kmeans; strokes belong to method taught; leave one of the "
+      "two out");
+  expect_refusal({"photo.pgm", "--edit", "-o", "photo.pgm"},
+                 "-o: photo.pgm; would overwrite photo.pgm; choose another name");
 }
 
 }  // namespace convert_command_test
