@@ -27,10 +27,10 @@ def run(*command):
     subprocess.run([str(word) for word in command], check=True)
 
 
-def keep(picture, name, colours=256):
+def keep(picture, name, colours=256, method=None):
     """In as few bytes as a picture for a page needs."""
     picture = picture.convert("RGB")
-    picture.quantize(colours).save(docs / f"{name}.png", optimize=True)
+    picture.quantize(colours, method).save(docs / f"{name}.png", optimize=True)
     print(f"wrote docs/{name}.png, {picture.width} x {picture.height}")
 
 
@@ -210,7 +210,7 @@ def editing(here):
     browser = Browser(re.search(r"http://\S+", process.stderr.readline()).group(0), 1280, 860)
     browser.wait("editor.desk.mask && !editor.state.is_sorting")
     browser.do("editor.set_opacity(40)")
-    keep(browser.picture(), "editing")
+    keep(browser.picture(), "editing", method=Image.Quantize.FASTOCTREE)  # which keeps the rare colours too
     browser.driver.quit()
     process.terminate()
     process.communicate()
