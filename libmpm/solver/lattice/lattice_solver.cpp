@@ -46,6 +46,19 @@ int LatticeSolver<Real>::most_bands(const Plan& plan) {
   return std::clamp(plan.threads, 1, plan.cells_y);
 }
 
+namespace {
+
+/// Steps that one sweep over the rows takes together, so that what they need of a row is still in the cache
+/// of the core: a quarter of a megabyte of rows, four of them at most.
+template <class Real>
+std::size_t steps_at_a_time(std::ptrdiff_t stride) {
+  constexpr std::ptrdiff_t cache = std::ptrdiff_t{1} << 18U;
+  const std::ptrdiff_t row = stride * static_cast<std::ptrdiff_t>(8 * sizeof(Real) + 7 * sizeof(double));
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(cache / row, 1, 4));
+}
+
+}  // namespace
+
 template <class Real>
 void LatticeSolver<Real>::make_bands() {
   const int count = team_.threads();
@@ -54,8 +67,10 @@ void LatticeSolver<Real>::make_bands() {
     Band& band = bands_[static_cast<std::size_t>(i)];
     band.begin = static_cast<int>(static_cast<std::int64_t>(plan_.cells_y) * i / count);
     band.end = static_cast<int>(static_cast<std::int64_t>(plan_.cells_y) * (i + 1) / count);
-    for (ForceBuffer<Real>* buffer : {&band.upper[0], &band.upper[1], &band.lower, &band.first_lower})
-      buffer->resize(points_.stride);
+    band.upper.resize(count > 1 ? 1 : steps_at_a_time<Real>(points_.stride));
+    for (auto& [one, other] : band.upper)
+      for (ForceBuffer<Real>* buffer : {&one, &other}) buffer->resize(points_.stride);
+    for (ForceBuffer<Real>* buffer : {&band.lower, &band.first_lower}) buffer->resize(points_.stride);
     band.suspects.assign(static_cast<std::size_t>(points_.stride), kernels::Flag<Real>{0});
   }
 }
@@ -73,7 +88,8 @@ Ledger LatticeSolver<Real>::advance(std::int64_t steps) {
   Barrier barrier(static_cast<int>(bands_.size()));
   const Clock start = clock_;
   team_.share(team_.threads(), [&](int band) {
-    const Clock end = run_band(static_cast<std::size_t>(band), start, steps, barrier);
+    const Clock end = bands_.size() == 1 ? run_alone(start, steps)
+                                         : run_band(static_cast<std::size_t>(band), start, steps, barrier);
     if (band == 0) clock_ = end;
   });
   return balance();
@@ -86,16 +102,36 @@ typename LatticeSolver<Real>::Clock LatticeSolver<Real>::run_band(std::size_t in
   for (std::int64_t i = 0; i < steps; ++i) {
     const bool ledger = i + 1 == steps;
     advance_clock(clock);
-    sweep_band(bands_[index], clock, ledger);
-    if (bands_.size() > 1) {
-      barrier.arrive_and_wait();
-      if (index > 0) {
-        Band& band = bands_[index];
-        sweep_node_row(band, band.begin, last_upper(bands_[index - 1]), band.first_lower, clock, ledger);
-      }
-      barrier.arrive_and_wait();
-    }
+    Band& band = bands_[index];
+    for (int row = band.begin; row < band.end; ++row) sweep_row(band, 0, row, clock, ledger);
+    barrier.arrive_and_wait();
+    if (index > 0)
+      sweep_node_row(band, band.begin, last_upper(bands_[index - 1]), band.first_lower, clock, ledger);
+    barrier.arrive_and_wait();
     if (is_lost(clock)) break;
+  }
+  return clock;
+}
+
+/// All rows by one thread, some steps at a time: each step follows the one before it one row behind, where
+/// the nodes that it needs have just been moved. What is computed is the same.
+template <class Real>
+typename LatticeSolver<Real>::Clock LatticeSolver<Real>::run_alone(Clock clock, std::int64_t steps) {
+  const FlushToZero flush;
+  Band& band = bands_.front();
+  std::vector<Clock> clocks;
+  for (std::int64_t done = 0; done < steps && !is_lost(clock);
+       done += static_cast<std::int64_t>(clocks.size())) {
+    clocks.clear();
+    while (clocks.size() < band.upper.size() && done + static_cast<std::int64_t>(clocks.size()) < steps) {
+      advance_clock(clock);
+      clocks.push_back(clock);
+    }
+    const int lanes = static_cast<int>(clocks.size());
+    for (int front = 0; front < band.end + lanes - 1; ++front)
+      for (int lane = std::max(0, front - band.end + 1); lane <= std::min(front, lanes - 1); ++lane)
+        sweep_row(band, static_cast<std::size_t>(lane), front - lane, clocks[static_cast<std::size_t>(lane)],
+                  done + lane + 1 == steps);
   }
   return clock;
 }
@@ -113,28 +149,24 @@ void LatticeSolver<Real>::advance_clock(Clock& clock) const {
 
 template <class Real>
 const ForceBuffer<Real>& LatticeSolver<Real>::last_upper(const Band& band) const {
-  return band.upper[static_cast<std::size_t>((band.end - 1) % 2)];
+  return band.upper.front()[static_cast<std::size_t>((band.end - 1) % 2)];
 }
 
-/// One sweep upwards: the forces of a row of cells, and then the motion of the row of nodes below it, which
-/// is complete.
+/// The forces of a row of cells, and then the motion of the row of nodes below it, which is complete.
+/// @param lane  of the steps under way, the one that the clock tells.
 template <class Real>
-void LatticeSolver<Real>::sweep_band(Band& band, const Clock& clock, bool ledger) {
-  const double strain = std::abs(clock.displacement) / scene_.height();
-  const ForceBuffer<Real>* below = &no_force_;
-  for (int row = band.begin; row < band.end; ++row) {
-    ForceBuffer<Real>& upper = band.upper[static_cast<std::size_t>(row % 2)];
-    const bool shared = row == band.begin && row > 0;
-    ForceBuffer<Real>& lower = shared ? band.first_lower : band.lower;
-    sweep_cell_row(band, row, lower, upper, strain);
-    if (row == 0) {
-      sweep_platen_row(band, row, *below, lower, clock);
-    } else if (!shared) {
-      sweep_node_row(band, row, *below, lower, clock, ledger);
-    }
-    below = &upper;
-  }
-  if (band.end == plan_.cells_y) sweep_platen_row(band, band.end, *below, no_force_, clock);
+void LatticeSolver<Real>::sweep_row(Band& band, std::size_t lane, int row, const Clock& clock, bool ledger) {
+  const auto turn = static_cast<std::size_t>(row % 2);
+  ForceBuffer<Real>& upper = band.upper[lane][turn];
+  const ForceBuffer<Real>& below = row == band.begin ? no_force_ : band.upper[lane][1 - turn];
+  const bool shared = row == band.begin && row > 0;
+  ForceBuffer<Real>& lower = shared ? band.first_lower : band.lower;
+  sweep_cell_row(band, row, lower, upper, std::abs(clock.displacement) / scene_.height());
+  if (row == 0)
+    sweep_platen_row(band, row, below, lower, clock);
+  else if (!shared)
+    sweep_node_row(band, row, below, lower, clock, ledger);
+  if (row + 1 == plan_.cells_y) sweep_platen_row(band, row + 1, upper, no_force_, clock);
 }
 
 template <class Real>

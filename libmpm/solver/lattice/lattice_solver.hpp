@@ -79,10 +79,11 @@ class LatticeSolver {
 
   /// The rows of cells of one thread. Its lowest row of nodes is shared with the band below.
   struct Band {
-    int begin = 0, end = 0;                  ///< rows of cells
-    std::array<ForceBuffer<Real>, 2> upper;  ///< of the row at hand and of the one below it, in turn
-    ForceBuffer<Real> lower;                 ///< of the row at hand
-    ForceBuffer<Real> first_lower;           ///< of the lowest row, kept until the band below is done
+    int begin = 0, end = 0;  ///< rows of cells
+    /// Of the row at hand and of the one below it, in turn; of each step that is under way.
+    std::vector<std::array<ForceBuffer<Real>, 2>> upper;
+    ForceBuffer<Real> lower;        ///< of the row at hand
+    ForceBuffer<Real> first_lower;  ///< of the lowest row, kept until the band below is done
     AlignedVector<kernels::Flag<Real>> suspects;
     std::int64_t tension_failures = 0, shear_failures = 0;
     std::int64_t dead = 0;  ///< points that have lost all stiffness
@@ -113,7 +114,8 @@ class LatticeSolver {
   void find_pinned_node();
   Clock run_band(std::size_t index, Clock clock, std::int64_t steps, Barrier& barrier);
   void advance_clock(Clock& clock) const;
-  void sweep_band(Band& band, const Clock& clock, bool ledger);
+  Clock run_alone(Clock clock, std::int64_t steps);
+  void sweep_row(Band& band, std::size_t lane, int row, const Clock& clock, bool ledger);
   [[nodiscard]] const ForceBuffer<Real>& last_upper(const Band& band) const;
   void sweep_cell_row(Band& band, int row, ForceBuffer<Real>& lower, ForceBuffer<Real>& upper, double strain);
   void sweep_node_row(Band& band, int row, const ForceBuffer<Real>& below, const ForceBuffer<Real>& above,
