@@ -21,9 +21,10 @@
 ///   voids. Otherwise there are two classes by tint, lightness and roughness. Pixels darker than half of the
 ///   median are void. kmeans with a given number of classes uses the colour only.
 /// - taught: a random forest on features of each pixel at several scales learns from strokes (forest.hpp,
-///   pixel_features.hpp); its probabilities are smoothed along the edges of the picture (edge_smoothing.hpp).
-///   A picture of more than 8 million pixels is averaged over squares first. The only automatic cleaning is
-///   that islands below a square of 1 % of the shorter side join their surroundings.
+///   pixel_features.hpp); its probabilities are smoothed along the edges of the picture (edge_smoothing.hpp),
+///   and boundaries go where the colours near by part (local_colours.hpp). A picture of more than 8 million
+///   pixels is averaged over squares first. The only automatic cleaning is that islands below a square of 1 %
+///   of the shorter side join their surroundings.
 /// - Classes: of three or more classes between thresholds the darkest is void; of the others the one with the
 ///   largest connected piece is mortar, the rest is aggregate.
 /// - Cleaning of photographs: median over 1 % of the shorter side; opening (of voids too) and closing by a

@@ -11,6 +11,7 @@
 #include "specimen/convert/smoothing.hpp"
 #include "specimen/teach/edge_smoothing.hpp"
 #include "specimen/teach/even_light.hpp"
+#include "specimen/teach/local_colours.hpp"
 #include "specimen/teach/model_file.hpp"
 #include "specimen/teach/pixel_features.hpp"
 #include "specimen/teach/taught.hpp"
@@ -110,26 +111,29 @@ void check_scale(const TaughtModel& model, double pixel_size, ConvertReport& rep
                      ": textures look different, so look at the overlay");
 }
 
-/// The likeliest class of each cell, and where another one is nearly as likely.
-struct Decision {
-  Raster<std::uint8_t> classes, uncertain;
-};
-
-Decision decide(const ClassShares& shares) {
-  Decision decision{{shares.rows, shares.cols}, {shares.rows, shares.cols}};
-  for (std::size_t i = 0; i < decision.classes.size(); ++i) {
+/// The likeliest class of each cell.
+Raster<std::uint8_t> likeliest(const ClassShares& shares) {
+  Raster<std::uint8_t> classes(shares.rows, shares.cols);
+  for (std::size_t i = 0; i < classes.size(); ++i) {
     const std::uint8_t* share = shares.data.data() + i * static_cast<std::size_t>(shares.classes);
-    int best = 0, second = -1;
-    for (int k = 1; k < shares.classes; ++k) {
-      if (share[k] > share[best])
-        second = share[best], best = k;
-      else
-        second = std::max<int>(second, share[k]);
-    }
-    decision.classes.data[i] = static_cast<std::uint8_t>(best);
-    decision.uncertain.data[i] = share[best] - std::max(second, 0) < doubt ? 1 : 0;
+    classes.data[i] = static_cast<std::uint8_t>(std::max_element(share, share + shares.classes) - share);
   }
-  return decision;
+  return classes;
+}
+
+/// Where another class is nearly as likely as the likeliest one.
+Raster<std::uint8_t> uncertain(const ClassShares& shares) {
+  Raster<std::uint8_t> cells(shares.rows, shares.cols);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::uint8_t* share = shares.data.data() + i * static_cast<std::size_t>(shares.classes);
+    int best = share[0], second = 0;
+    for (int k = 1; k < shares.classes; ++k) {
+      second = std::max(second, std::min<int>(best, share[k]));
+      best = std::max<int>(best, share[k]);
+    }
+    cells.data[i] = best - second < doubt ? 1 : 0;
+  }
+  return cells;
 }
 
 /// What became of the pixels under the strokes.
@@ -194,15 +198,21 @@ void sort_cells(const TaughtModel& model, const PixelFeatures& features, const C
   const int radius = smoothing_radius(options, features, model.factor);
   if (radius > 0)
     tell(report, "smoothed along the edges of the picture over " + std::to_string(2 * radius + 1) + " x " +
-                     std::to_string(2 * radius + 1) + " pixels" + (model.factor > 1 ? " of these" : ""));
-  Decision decision = decide(
-      smoothed_along_edges(ask(model, features, all_cores), features.picture(), radius, ridge, all_cores));
+                     std::to_string(2 * radius + 1) + " pixels" + (model.factor > 1 ? " of these" : "") +
+                     ", and drew the boundaries where the colours near by part");
+  ClassShares shares =
+      smoothed_along_edges(ask(model, features, all_cores), features.picture(), radius, ridge, all_cores);
+  sorted.uncertain = uncertain(shares);  // of what the strokes taught: what follows only draws the boundaries
+  if (radius > 0) {
+    LocalColoursOptions colours;
+    colours.window = std::max(colours.window, 2 * radius);
+    shares = sharpened_by_colours(shares, features.picture(), colours, all_cores);
+  }
+  const Raster<std::uint8_t> classes = likeliest(shares);
   std::array<std::uint8_t, 256> label{};
   for (std::size_t k = 0; k < model.phases.size(); ++k) label[k] = label_of(sorted.phases, model.phases[k]);
   sorted.cells = Raster<Cell>(features.rows(), features.cols());
-  for (std::size_t i = 0; i < sorted.cells.size(); ++i)
-    sorted.cells.data[i] = label[decision.classes.data[i]];
-  sorted.uncertain = std::move(decision.uncertain);
+  for (std::size_t i = 0; i < sorted.cells.size(); ++i) sorted.cells.data[i] = label[classes.data[i]];
   const auto doubts =
       static_cast<double>(std::count(sorted.uncertain.data.begin(), sorted.uncertain.data.end(), 1));
   report.uncertain = doubts / static_cast<double>(sorted.uncertain.size());
