@@ -84,6 +84,6 @@ with tempfile.TemporaryDirectory() as name:
     share = found["intersection_over_union"]["aggregate"]
     print(f"conglomerate: IoU {share:.3f}, boundary F {found['boundary_f']['aggregate']:.3f}, panoptic quality "
           f"{found['aggregates_found']['panoptic_quality']:.3f}")
-    check(f"conglomerate: IoU {share:.3f} of the stones", share > 0.75)
+    check(f"conglomerate: IoU {share:.3f} of the stones", share > 0.78)  # 0.81 was measured
 print("\n".join(faults))
 sys.exit(bool(faults))
