@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,24 @@ constexpr double symbol = 11;    ///< size of a triangle [px]
 constexpr double shaft = 26;     ///< length of an arrow [px]
 constexpr double apart = 16;     ///< two symbols of a stretch [px]
 
+/// Nodes beside each other that are held or moved alike.
+std::vector<std::vector<mpm::HeldNode>> stretches_of(const std::vector<mpm::HeldNode>& held) {
+  std::vector<std::vector<mpm::HeldNode>> stretches;
+  for (const mpm::HeldNode& node : held) {
+    const auto goes_on = [&](const std::vector<mpm::HeldNode>& stretch) {
+      const mpm::HeldNode& last = stretch.back();
+      return last.load == node.load && last.x == node.x && last.y == node.y &&
+             std::abs(last.row - node.row) <= 1 && std::abs(last.col - node.col) <= 1;
+    };
+    const auto found = std::find_if(stretches.begin(), stretches.end(), goes_on);
+    if (found == stretches.end())
+      stretches.push_back({node});
+    else
+      found->push_back(node);
+  }
+  return stretches;
+}
+
 class SetUp {
  public:
   SetUp(const specimen::LabelledMask& mask, const mpm::Scene& scene)
@@ -31,13 +50,17 @@ class SetUp {
   }
 
   void add(const mpm::GridBoundary& boundary) {
-    Place support{-1e9, 0}, load{-1e9, 0};
-    for (const mpm::HeldNode& node : boundary.held) {
-      const Place at = place(node.col * cell_, node.row * cell_);
-      Place& before = node.load >= 0 ? load : support;
-      if (std::hypot(at.x - before.x, at.y - before.y) < apart) continue;
-      before = at;
-      node.load >= 0 ? add_arrow(at, node) : add_triangle(at, node);
+    for (const std::vector<mpm::HeldNode>& stretch : stretches_of(boundary.held)) {
+      const Place first = place_of(stretch.front()), last = place_of(stretch.back());
+      const double length = std::hypot(last.x - first.x, last.y - first.y);
+      const int symbols = 1 + static_cast<int>(length / apart);
+      for (int i = 0; i < symbols; ++i) {
+        const double part = symbols == 1 ? 0.5 : static_cast<double>(i) / (symbols - 1);
+        const Place at{first.x + part * (last.x - first.x), first.y + part * (last.y - first.y)};
+        const auto nearest = static_cast<std::size_t>(part * static_cast<double>(stretch.size() - 1));
+        const mpm::HeldNode& node = stretch[nearest];
+        node.load >= 0 ? add_arrow(at, node) : add_triangle(at, node);
+      }
     }
   }
 
@@ -54,6 +77,10 @@ class SetUp {
  private:
   [[nodiscard]] Place place(double x, double y) const {
     return {paper + x * scale_, drawing_.height - paper - y * scale_};
+  }
+
+  [[nodiscard]] Place place_of(const mpm::HeldNode& node) const {
+    return place(node.col * cell_, node.row * cell_);
   }
 
   [[nodiscard]] bool is_solid(int row, int col) const {  // a cell, by its lower left node

@@ -7,8 +7,8 @@
 
 namespace output {
 
-/// Triangles stand at nodes that are held, arrows at those that are moved, dots at the ends of gauges; as
-/// they are on the grid of the run.
+/// Triangles stand where it is held, arrows where it is moved, evenly along each stretch; dots at the ends of
+/// gauges. All as they are on the grid of the run.
 /// @pre the scene is valid, and has the shape of the mask.   @throws mpm::Error as its plan.
 [[nodiscard]] Drawing fixture_drawing(const specimen::LabelledMask& mask, const mpm::Scene& scene);
 

@@ -219,10 +219,11 @@ std::string notes_section(const RunRecord& record) {
 std::string facts_part(const RunRecord& record) { return facts_table(run_facts(record)); }
 
 std::string curve_section(const RunRecord& record) {
-  return section("Stress and strain", side_by_side("lead",
-                                                   chart_figure("stress", stress_chart(record), 590, 400,
-                                                                meaning_of_curve(record.scene)),
-                                                   part("facts", facts_part(record))));
+  const char* heading = record.scene.fixture.has_loads() ? "Force and displacement" : "Stress and strain";
+  return section(heading, side_by_side("lead",
+                                       chart_figure("stress", stress_chart(record), 590, 400,
+                                                    meaning_of_curve(record.scene)),
+                                       part("facts", facts_part(record))));
 }
 
 std::string specimen_section(const RunRecord& record) {

@@ -136,9 +136,9 @@ std::string name_of_stress(const mpm::Scene& scene) {
 
 std::string meaning_of_curve(const mpm::Scene& scene) {
   if (scene.fixture.has_loads())
-    return "Force is that of the leading load, for a specimen as thick as loading.thickness. Peak stress and "
-           "strain in the table are this force over the area of a cut along x, and the displacement of the "
-           "load over the height.";
+    return "Force is that of the leading load, for a specimen as thick as loading.thickness. Strains under "
+           "the "
+           "film and the pictures are the displacement of this load over the height.";
   if (has_platens(scene))
     return "Stress is the mean of the reactions of both platens over the width; strain is the displacement "
            "of the platens over the height. The secant modulus is taken where the stress first reaches 40 % "
