@@ -373,9 +373,9 @@ struct LiveServer::Parts {
     };
     for (const auto& [name, part] : answers.parts)
       server.Get("/[0-9a-f]+/" + name,
-                 [reply, &part](const Request&, Response& response) { reply(response, part()); });
+                 [reply, &part = part](const Request&, Response& response) { reply(response, part()); });
     for (const auto& [name, order] : answers.orders)
-      server.Post("/[0-9a-f]+/" + name, [reply, &order](const Request& request, Response& response) {
+      server.Post("/[0-9a-f]+/" + name, [reply, &order = order](const Request& request, Response& response) {
         reply(response, order(request.body));
       });
   }
