@@ -81,7 +81,7 @@ TEST(QuasiStatic, EndsAtAStrainAtWhichAPointFails) {
   scene.loading.stop_strain = whole.history[10].strain;
   const Result part = mpm::simulate(scene);
   EXPECT_EQ(part.history.back().strain, scene.loading.stop_strain);
-  EXPECT_EQ(part.history[10].stress, whole.history[10].stress);
+  EXPECT_NEAR(part.history[10].stress / whole.history[10].stress, 1, 1e-12);
 }
 
 TEST(QuasiStatic, SmallerTolerancesLeadToOneFailureAtATime) {
